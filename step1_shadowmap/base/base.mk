@@ -1,0 +1,74 @@
+# The ground floor that every program stands on, and how a program is built
+# from its list. Before this: ROOT (the tree's top), PROGRAMS (their names) and
+# for each program the list of that name.
+
+base := \
+    step1_shadowmap/base/settings.h step1_shadowmap/base/settings.c \
+    step1_shadowmap/base/scene.h step1_shadowmap/base/scene.c \
+    step1_shadowmap/base/mesh.h step1_shadowmap/base/mesh.c \
+    step1_shadowmap/base/teapot.h \
+    step1_shadowmap/base/view.h step1_shadowmap/base/view.c \
+    step1_shadowmap/base/dvec.h \
+    step1_shadowmap/base/geometry.h step1_shadowmap/base/geometry.c \
+    step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
+    step1_shadowmap/shaders/show_shaded.glsl \
+    step1_shadowmap/shaders/show_visibility.glsl \
+    step1_shadowmap/shaders/dump.glsl \
+    step1_shadowmap/shaders/dump_nothing.glsl \
+    step1_shadowmap/base/context.h step1_shadowmap/base/context.c \
+    step1_shadowmap/base/gl.h step1_shadowmap/base/gl.c \
+    step1_shadowmap/base/options.h step1_shadowmap/base/options.c \
+    step1_shadowmap/base/stopwatch.h step1_shadowmap/base/stopwatch.c \
+    step1_shadowmap/base/dump.h step1_shadowmap/base/dump.c \
+    step1_shadowmap/base/image.h step1_shadowmap/base/image.cpp \
+    step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
+    step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
+    step1_shadowmap/base/base.mk
+
+CFLAGS ?= -O2 -g
+CXXFLAGS ?= -O2 -g
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+PACKAGES := osmesa cglm OpenImageIO
+BUILD := $(ROOT)/build
+# Recursive on purpose: the set-up may install the packages first.
+INCLUDES = -I$(ROOT) -I$(BUILD)/glad/include \
+    $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I $(PACKAGES)))
+LIBRARIES = $(shell pkg-config --libs $(PACKAGES)) -lm
+
+objects = $(addprefix $(BUILD)/obj/,$(addsuffix .o,$(filter %.c %.cpp,$($1) $(base))))
+all_objects := $(sort $(foreach p,$(PROGRAMS),$(call objects,$p)))
+
+.DELETE_ON_ERROR:
+programs: $(PROGRAMS:%=$(BUILD)/%)
+
+define link_rule
+$(BUILD)/$1: $(call objects,$1) $(BUILD)/glad/gl.o
+	@echo link $$@
+	@$$(CXX) $$(LDFLAGS) -o $$@ $$^ $$(LIBRARIES)
+endef
+$(foreach p,$(PROGRAMS),$(eval $(call link_rule,$p)))
+
+$(BUILD)/obj/%.c.o: $(ROOT)/%.c $(BUILD)/glad/include/glad/gl.h
+	@mkdir -p $(@D)
+	@echo compile $*.c
+	@$(CC) -std=c11 $(CFLAGS) $(WARNINGS) $(INCLUDES) -MMD -MP \
+	    -DSHADER_ROOT='"$(abspath $(ROOT))"' -c -o $@ $<
+
+$(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | $(SETUP)
+	@mkdir -p $(@D)
+	@echo compile $*.cpp
+	@$(CXX) -std=c++17 $(CXXFLAGS) $(WARNINGS) $(INCLUDES) -MMD -MP \
+	    -c -o $@ $<
+
+# The GL loader, written by glad from the specification it carries (2>&1: it
+# reports every step on stderr; a failure still prints and fails).
+$(BUILD)/glad/include/glad/gl.h: | $(SETUP)
+	@mkdir -p $(BUILD)
+	@echo glad: $(BUILD)/glad
+	@glad --quiet --reproducible --api gl:core=4.3 --out-path $(BUILD)/glad c \
+	    >$(BUILD)/glad.log 2>&1 || { cat $(BUILD)/glad.log; exit 1; }
+
+$(BUILD)/glad/gl.o: $(BUILD)/glad/include/glad/gl.h
+	@$(CC) $(CFLAGS) -I$(BUILD)/glad/include -c -o $@ $(BUILD)/glad/src/gl.c
+
+-include $(all_objects:.o=.d)

@@ -1,0 +1,107 @@
+#include "step1_shadowmap/base/dump.h"
+
+#include <errno.h>
+#include <stdlib.h> // free
+#include <string.h> // strerror
+
+#include "step1_shadowmap/base/die.h"   // die
+#include "step1_shadowmap/base/file.h"  // file_finish, file_temporary_name
+#include "step1_shadowmap/base/gl.h"    // gl_read_layer
+#include "step1_shadowmap/base/image.h" // image_write
+
+void dump_image(const char *directory, const char *name, const float *pixels,
+                int width, int height, int channels)
+{
+    char path[FILE_NAME_BYTES];
+    snprintf(path, sizeof path, "%s/%s.exr", directory, name);
+    image_write(path, pixels, width, height, channels);
+}
+
+void dump_layers(const char *directory, const char *name, GLuint texture,
+                 int width, int height, int layers, int channels)
+{
+    for (int layer = 0; layer < layers; layer++) {
+        char layer_name[64];
+        snprintf(layer_name, sizeof layer_name, "%s.%d", name, layer);
+        float *texels =
+            gl_read_layer(texture, layer, width, height, channels);
+        dump_image(directory, layer_name, texels, width, height, channels);
+        free(texels);
+    }
+}
+
+static void write_matrix(FILE *file, const double matrix[4][4])
+{
+    for (int row = 0; row < 4; row++) {
+        const double *m = matrix[row];
+        fprintf(file, "%s[%.17g, %.17g, %.17g, %.17g]", row ? ", " : "[", m[0],
+                m[1], m[2], m[3]);
+    }
+    fputs("]", file);
+}
+
+static void write_views(FILE *file, const Views *views)
+{
+    const double *origin = views->origin;
+    fprintf(file, "  \"origin\": [%.17g, %.17g, %.17g],\n", origin[0],
+            origin[1], origin[2]);
+    fputs("  \"clip_from_relative\": ", file);
+    write_matrix(file, views->clip_from_relative);
+    fputs(",\n  \"views\": [", file);
+    for (int i = 0; i < views->layers; i++) {
+        const LightView *view = &views->light[i];
+        fprintf(file, "%s\n    {\"map_from_relative\": ", i ? "," : "");
+        write_matrix(file, view->map_from_relative);
+        fprintf(file,
+                ", \"near\": %.17g, \"far\": %.17g, \"width\": %d, "
+                "\"height\": %d, \"border\": %d}",
+                view->near, view->far, views->width, views->height,
+                views->border);
+    }
+    fputs("],\n", file);
+}
+
+static void write_passes(FILE *file, const Stopwatch *stopwatch)
+{
+    fputs("  \"passes\": [", file);
+    for (int i = 0; i < stopwatch->count; i++) {
+        fprintf(file, "%s{\"name\": \"%s\", \"ms\": %.6g}", i ? ", " : "",
+                stopwatch->name[i], stopwatch->milliseconds[i]);
+    }
+    fputs("]\n", file);
+}
+
+static void write_run(FILE *file, const Run *run)
+{
+    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n",
+            run->program, run->step);
+    fprintf(file, "  \"scene\": \"%s\",\n  \"options\": {", run->scene);
+    options_write_json(file, run->tables);
+    fputs("\n  },\n", file);
+    write_views(file, run->views);
+    fprintf(file, "  \"gl_renderer\": \"%s\",\n",
+            (const char *)glGetString(GL_RENDERER));
+    fprintf(file, "  \"gl_version\": \"%s\",\n",
+            (const char *)glGetString(GL_VERSION));
+    write_passes(file, run->stopwatch);
+    fputs("}\n", file);
+}
+
+void dump_run(const char *directory, const Run *run)
+{
+    char path[FILE_NAME_BYTES];
+    char temporary[FILE_NAME_BYTES];
+    snprintf(path, sizeof path, "%s/run.json", directory);
+    file_temporary_name(path, temporary);
+    FILE *file = fopen(temporary, "w");
+    if (file == NULL) {
+        die("cannot write %s: %s", path, strerror(errno));
+    }
+    write_run(file, run);
+    bool failed = ferror(file) != 0;
+    failed = fclose(file) != 0 || failed;
+    if (failed) {
+        file_give_up(temporary, path, strerror(errno));
+    }
+    file_finish(temporary, path);
+}

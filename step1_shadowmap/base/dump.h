@@ -1,0 +1,31 @@
+// What --dump writes: every intermediate map, and run.json that says how it
+// was made. The tests recompute each stage from these files.
+#ifndef BASE_DUMP_H
+#define BASE_DUMP_H
+
+#include "step1_shadowmap/base/options.h"   // OptionTable
+#include "step1_shadowmap/base/stopwatch.h" // Stopwatch
+#include "step1_shadowmap/base/view.h"      // Views
+
+// Writes directory/name.exr.
+void dump_image(const char *directory, const char *name, const float *pixels,
+                int width, int height, int channels);
+
+// Writes every layer L of an array texture as directory/name.L.exr.
+void dump_layers(const char *directory, const char *name, GLuint texture,
+                 int width, int height, int layers, int channels);
+
+typedef struct Run {
+    const char *program;
+    int step;
+    const char *scene; // as given to --scene
+    const OptionTable *tables;
+    const Views *views;
+    const Stopwatch *stopwatch;
+} Run;
+
+// Writes directory/run.json: the options, the origin and the matrices in
+// double, the OpenGL driver and the pass times.
+void dump_run(const char *directory, const Run *run);
+
+#endif

@@ -1,0 +1,65 @@
+// OpenGL objects, always checked: a program that does not compile, a texture
+// that is too large or a framebuffer that is incomplete stops the run with one
+// line that names it.
+#ifndef BASE_GL_H
+#define BASE_GL_H
+
+#include <glad/gl.h>
+
+typedef void (*GlFunction)(void);
+typedef GlFunction (*GlLoader)(const char *name);
+
+// Loads the GL functions of the current context, demands version 3.3 and
+// makes every GL error fatal from here on.
+void gl_load(GlLoader loader);
+
+// Where shader files are looked up: first below `directory` (NULL: nowhere),
+// then in the source tree. Names are paths from the tree's top, such as
+// "step1_shadowmap/shaders/scene.frag".
+typedef struct ShaderFiles {
+    const char *directory;
+} ShaderFiles;
+
+// A program of several shader files: each list ends with NULL and its files
+// are compiled as one shader, in that order. They carry no #version line (it
+// may come only once, before all else); 330 core is put in front. A compile
+// error stops the run with the file and line that it is in.
+GLuint gl_program(ShaderFiles where, const char *const vertex[],
+                  const char *const fragment[]);
+
+// A 2D array texture without mip-maps, `layers` x width x height texels, all
+// undefined. Outside it reads as 1 in every channel: far depth, and its
+// moments. `filter` is GL_NEAREST or GL_LINEAR.
+GLuint gl_texture_array(GLenum format, int width, int height, int layers,
+                        GLenum filter);
+
+// A plain 2D texture, read with texelFetch.
+GLuint gl_texture(GLenum format, int width, int height);
+
+// A framebuffer that draws into one layer of an array texture; depth_buffer is
+// a renderbuffer or 0.
+GLuint gl_layer_framebuffer(GLuint texture, int layer, GLuint depth_buffer);
+
+// A renderbuffer of 32-bit float depth.
+GLuint gl_depth_buffer(int width, int height);
+
+// Dies if the bound draw framebuffer is incomplete; `what` names it.
+void gl_check_framebuffer(const char *what);
+
+// The float texels of colour attachment `attachment` of a framebuffer: rows
+// from the bottom up, `channels` (1 to 4) values each; the caller frees them.
+float *gl_read(GLuint framebuffer, int attachment, int width, int height,
+               int channels);
+
+// The same for one layer of an array texture.
+float *gl_read_layer(GLuint texture, int layer, int width, int height,
+                     int channels);
+
+// One triangle that covers the viewport, without any vertex data.
+void gl_draw_fullscreen(GLuint empty_vao);
+
+// Dies if width or height is over what this driver's textures hold; `option`
+// is the command-line option to blame.
+void gl_check_size(const char *option, int width, int height);
+
+#endif

@@ -1,0 +1,69 @@
+// The only C++ file of the programs: OpenImageIO has no C interface.
+#include "step1_shadowmap/base/image.h"
+
+#include <OpenImageIO/color.h>   // linear_to_sRGB
+#include <OpenImageIO/imageio.h> // ImageOutput, ImageSpec
+#include <algorithm>             // clamp
+#include <cstddef>               // ptrdiff_t
+#include <string>
+#include <vector>
+
+#include "step1_shadowmap/base/file.h" // file_finish, file_temporary_name
+
+static bool ends_with(const std::string &text, const std::string &ending)
+{
+    return text.size() > ending.size() &&
+           text.compare(text.size() - ending.size(), ending.size(), ending) ==
+               0;
+}
+
+bool image_name_is_known(const char *path)
+{
+    return ends_with(path, ".png") || ends_with(path, ".exr");
+}
+
+// Rows as they are stored: OpenGL's first row is the bottom one.
+static bool write_rows(OIIO::ImageOutput &output, const float *pixels,
+                       const OIIO::ImageSpec &spec)
+{
+    std::ptrdiff_t row = spec.width * spec.nchannels *
+                         static_cast<std::ptrdiff_t>(sizeof(float));
+    const float *top = pixels + std::ptrdiff_t(spec.height - 1) * spec.width *
+                                    spec.nchannels;
+    return output.write_image(OIIO::TypeDesc::FLOAT, top, OIIO::AutoStride,
+                              -row);
+}
+
+static std::vector<float> encode_srgb(const float *pixels, std::size_t count)
+{
+    std::vector<float> encoded(count);
+    for (std::size_t i = 0; i < count; i++) {
+        encoded[i] = OIIO::linear_to_sRGB(std::clamp(pixels[i], 0.0f, 1.0f));
+    }
+    return encoded;
+}
+
+void image_write(const char *path, const float *pixels, int width, int height,
+                 int channels)
+{
+    bool png = ends_with(path, ".png");
+    OIIO::ImageSpec spec(width, height, channels,
+                         png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+    std::vector<float> encoded;
+    if (png) {
+        spec.attribute("oiio:ColorSpace", "sRGB");
+        encoded = encode_srgb(pixels, std::size_t(width) * height * channels);
+        pixels = encoded.data();
+    }
+    char temporary[FILE_NAME_BYTES];
+    file_temporary_name(path, temporary);
+    auto output = OIIO::ImageOutput::create(temporary);
+    if (!output) {
+        file_give_up(temporary, path, OIIO::geterror().c_str());
+    }
+    if (!output->open(temporary, spec) ||
+        !write_rows(*output, pixels, spec) || !output->close()) {
+        file_give_up(temporary, path, output->geterror().c_str());
+    }
+    file_finish(temporary, path);
+}

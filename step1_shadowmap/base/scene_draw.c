@@ -1,0 +1,151 @@
+#include "step1_shadowmap/base/scene_draw.h"
+
+#include <stdlib.h> // free
+#include <string.h> // memcpy, strcmp
+
+#include "step1_shadowmap/base/die.h"   // die
+#include "step1_shadowmap/base/dump.h"  // dump_image
+#include "step1_shadowmap/base/image.h" // image_write
+
+enum { MAX_FILES = 12 };
+
+// What the fragment shader writes, in the order of its output locations.
+static const struct {
+    const char *name;
+    GLenum format;
+    int channels;
+    float empty[4]; // where the picture shows no object
+} outputs[SCENE_DRAW_OUTPUTS] = {
+    {"image", GL_RGBA32F, 3, {0, 0, 0, 0}}, // the scene's background
+    {"receiver", GL_RGBA32F, 4, {0, 0, 0, -1}},
+    {"position", GL_RGBA32F, 3, {0, 0, 0, 0}},
+    {"normal", GL_RGBA32F, 3, {0, 0, 0, 0}},
+    {"visibility", GL_R32F, 1, {1, 1, 1, 1}},
+};
+
+static GLuint create_program(const BaseSettings *settings,
+                             const char *const visibility[])
+{
+    static const char *const vertex[] = {"step1_shadowmap/shaders/scene.vert",
+                                         NULL};
+    bool shaded = strcmp(settings->show, "shaded") == 0;
+    const char *fragment[MAX_FILES] = {
+        "step1_shadowmap/shaders/map_coordinates.glsl"};
+    int count = 1;
+    for (int i = 0; visibility[i] != NULL; i++) {
+        if (count + 4 > MAX_FILES) {
+            die("more than %d shader files", MAX_FILES);
+        }
+        fragment[count++] = visibility[i];
+    }
+    fragment[count++] = shaded ? "step1_shadowmap/shaders/show_shaded.glsl"
+                               : "step1_shadowmap/shaders/show_visibility.glsl";
+    fragment[count++] = settings->dump == NULL
+                            ? "step1_shadowmap/shaders/dump_nothing.glsl"
+                            : "step1_shadowmap/shaders/dump.glsl";
+    fragment[count] = "step1_shadowmap/shaders/scene.frag";
+    return gl_program(base_shader_files(settings), vertex, fragment);
+}
+
+static void create_framebuffer(SceneDraw *draw)
+{
+    GLenum buffers[SCENE_DRAW_OUTPUTS];
+    glGenFramebuffers(1, &draw->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
+    for (int i = 0; i < draw->output_count; i++) {
+        buffers[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+        draw->outputs[i] =
+            gl_texture(outputs[i].format, draw->width, draw->height);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D,
+                               draw->outputs[i], 0);
+    }
+    glDrawBuffers(draw->output_count, buffers);
+    draw->depth_buffer = gl_depth_buffer(draw->width, draw->height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                              GL_RENDERBUFFER, draw->depth_buffer);
+    gl_check_framebuffer("of the picture");
+}
+
+SceneDraw scene_draw_create(const BaseSettings *settings,
+                            const char *const visibility[])
+{
+    gl_check_size("size", settings->size[0], settings->size[1]);
+    SceneDraw draw = {.width = settings->size[0],
+                      .height = settings->size[1],
+                      .output_count =
+                          settings->dump == NULL ? 1 : SCENE_DRAW_OUTPUTS};
+    draw.program = create_program(settings, visibility);
+    create_framebuffer(&draw);
+    return draw;
+}
+
+static void set_uniforms(GLuint program, const Scene *scene,
+                         const Views *views)
+{
+    const Light *light = &scene->light;
+    view_set_matrix(program, "clip_from_relative", views->clip_from_relative);
+    for (int layer = 0; layer < views->layers; layer++) {
+        view_set_layer(program, views, layer);
+    }
+    glUniform1i(glGetUniformLocation(program, "shadow_map"), 0);
+    glUniform3f(glGetUniformLocation(program, "to_light"),
+                (float)-light->direction[0], (float)-light->direction[1],
+                (float)-light->direction[2]);
+    glUniform3fv(glGetUniformLocation(program, "radiance"), 1,
+                 light->radiance);
+    glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light->ambient);
+}
+
+static void clear(const SceneDraw *draw, const Scene *scene)
+{
+    float background[4] = {0, 0, 0, 1};
+    memcpy(background, scene->background, sizeof scene->background);
+    glClearBufferfv(GL_COLOR, 0, background);
+    for (int i = 1; i < draw->output_count; i++) {
+        glClearBufferfv(GL_COLOR, i, outputs[i].empty);
+    }
+    const float far_depth = 1;
+    glClearBufferfv(GL_DEPTH, 0, &far_depth);
+}
+
+void scene_draw(const SceneDraw *draw, const Scene *scene,
+                const Geometry *geometry, const Views *views, GLuint map)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
+    glViewport(0, 0, draw->width, draw->height);
+    clear(draw, scene);
+    glEnable(GL_DEPTH_TEST);
+    glUseProgram(draw->program);
+    set_uniforms(draw->program, scene, views);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, map);
+    geometry_draw(geometry, scene, views->origin, draw->program);
+}
+
+void scene_draw_write(const SceneDraw *draw, const char *path)
+{
+    float *pixels =
+        gl_read(draw->framebuffer, 0, draw->width, draw->height, 3);
+    image_write(path, pixels, draw->width, draw->height, 3);
+    free(pixels);
+}
+
+void scene_draw_dump(const SceneDraw *draw, const char *directory)
+{
+    for (int i = 0; i < draw->output_count; i++) {
+        float *pixels = gl_read(draw->framebuffer, i, draw->width,
+                                draw->height, outputs[i].channels);
+        dump_image(directory, outputs[i].name, pixels, draw->width,
+                   draw->height, outputs[i].channels);
+        free(pixels);
+    }
+}
+
+void scene_draw_destroy(SceneDraw *draw)
+{
+    glDeleteRenderbuffers(1, &draw->depth_buffer);
+    glDeleteTextures(draw->output_count, draw->outputs);
+    glDeleteFramebuffers(1, &draw->framebuffer);
+    glDeleteProgram(draw->program);
+    *draw = (SceneDraw){0};
+}

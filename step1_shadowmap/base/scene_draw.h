@@ -1,0 +1,40 @@
+// The picture: the scene seen by the camera, with the visibility of the light
+// that a step's shader computes from its map.
+#ifndef BASE_SCENE_DRAW_H
+#define BASE_SCENE_DRAW_H
+
+#include "step1_shadowmap/base/geometry.h" // Geometry
+#include "step1_shadowmap/base/settings.h" // BaseSettings
+#include "step1_shadowmap/base/view.h"     // Views
+
+enum { SCENE_DRAW_OUTPUTS = 5 };
+
+typedef struct SceneDraw {
+    GLuint program;
+    GLuint framebuffer;
+    GLuint depth_buffer;
+    GLuint outputs[SCENE_DRAW_OUTPUTS]; // picture; with --dump the rest too
+    int output_count;
+    int width, height; // pixels
+} SceneDraw;
+
+// `visibility` lists the fragment shader files (NULL at the end) that define
+// float visibility(Receiver); they are compiled together with step 1's
+// scene.frag. With --dump the picture has the further outputs that
+// scene_draw_dump writes.
+SceneDraw scene_draw_create(const BaseSettings *settings,
+                            const char *const visibility[]);
+
+// Draws one frame with `map` (a 2D array texture) as the shader's shadow_map.
+void scene_draw(const SceneDraw *draw, const Scene *scene,
+                const Geometry *geometry, const Views *views, GLuint map);
+
+void scene_draw_write(const SceneDraw *draw, const char *path);
+
+// Writes receiver, position, normal, visibility and image (.exr) into the
+// directory; needs a SceneDraw made with --dump.
+void scene_draw_dump(const SceneDraw *draw, const char *directory);
+
+void scene_draw_destroy(SceneDraw *draw);
+
+#endif

@@ -1,0 +1,83 @@
+#include "step1_shadowmap/base/settings.h"
+
+#include <stdio.h>  // snprintf, stdout
+#include <stdlib.h> // exit
+#include <string.h> // strrchr
+
+#include "step1_shadowmap/base/die.h"   // die_usage
+#include "step1_shadowmap/base/file.h"  // file_make_directory
+#include "step1_shadowmap/base/image.h" // image_name_is_known
+#include "step1_shadowmap/base/scene.h" // scene_list
+
+enum { MAX_SIDE = 32768 };
+
+const Option base_options[] = {
+    {.name = "scene", .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, scene),
+     .argument = "NAME[:key=value,...]", .help = "the scene to draw"},
+    {.name = "list-scenes", .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, list_scenes),
+     .help = "print every scene with its keys, ranges and defaults"},
+    {.name = "size", .kind = OPTION_EXTENT,
+     .offset = offsetof(BaseSettings, size), .minimum = 1,
+     .maximum = MAX_SIDE, .argument = "WxH", .help = "the picture, in pixels"},
+    {.name = "map-size", .kind = OPTION_SIDE,
+     .offset = offsetof(BaseSettings, map_size), .minimum = 1,
+     .maximum = MAX_SIDE, .argument = "N or WxH",
+     .help = "the shadow map, in texels"},
+    {.name = "output", .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, output), .argument = "FILE",
+     .help = "the picture: .png (8-bit sRGB) or .exr (linear float)"},
+    {.name = "show", .kind = OPTION_CHOICE,
+     .offset = offsetof(BaseSettings, show), .choices = "shaded,visibility",
+     .argument = "shaded|visibility",
+     .help = "what the picture shows; visibility: 1 lit, 0 in shadow"},
+    {.name = "dump", .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, dump), .argument = "DIR",
+     .help = "write every intermediate map there, as float EXR"},
+    {.name = "shaders", .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, shaders), .argument = "DIR",
+     .help = "look for shader files there first (laid out as in the tree)"},
+    {.name = "context", .kind = OPTION_CHOICE,
+     .offset = offsetof(BaseSettings, context), .choices = "osmesa",
+     .argument = "osmesa", .help = "where OpenGL draws without a window"},
+    {0},
+};
+
+BaseSettings base_settings(const char *output)
+{
+    return (BaseSettings){.scene = "teapot",
+                          .size = {1280, 720},
+                          .map_size = {512, 512},
+                          .output = output,
+                          .show = "shaded",
+                          .context = "osmesa"};
+}
+
+void base_settings_check(const BaseSettings *settings,
+                         const OptionTable tables[])
+{
+    if (settings->list_scenes) {
+        scene_list(stdout);
+        exit(0);
+    }
+    if (!image_name_is_known(settings->output)) {
+        die_usage("--output '%s': the name has to end in .png or .exr",
+                  settings->output);
+    }
+    if (settings->dump != NULL) {
+        file_make_directory(settings->dump);
+    }
+    if (!options_given(tables, "output")) {
+        char directory[FILE_NAME_BYTES];
+        const char *slash = strrchr(settings->output, '/');
+        snprintf(directory, sizeof directory, "%.*s",
+                 (int)(slash - settings->output), settings->output);
+        file_make_directory(directory);
+    }
+}
+
+ShaderFiles base_shader_files(const BaseSettings *settings)
+{
+    return (ShaderFiles){.directory = settings->shaders};
+}

@@ -1,0 +1,35 @@
+// The options that every step has.
+#ifndef BASE_SETTINGS_H
+#define BASE_SETTINGS_H
+
+#include <stdbool.h>
+
+#include "step1_shadowmap/base/gl.h"      // ShaderFiles
+#include "step1_shadowmap/base/options.h" // Option
+
+typedef struct BaseSettings {
+    const char *scene;
+    bool list_scenes;
+    int size[2];     // of the picture, pixels
+    int map_size[2]; // of the shadow map, texels
+    const char *output;
+    const char *show;
+    const char *dump; // directory, or NULL
+    const char *shaders; // directory, or NULL
+    const char *context;
+} BaseSettings;
+
+extern const Option base_options[];
+
+// The defaults; `output` is where the picture goes if no option says.
+BaseSettings base_settings(const char *output);
+
+// Answers --list-scenes (and exits with 0), refuses an output name with an
+// unknown ending (status 2) and makes the directories of the default output
+// and of --dump. To be called after options_parse.
+void base_settings_check(const BaseSettings *settings,
+                         const OptionTable tables[]);
+
+ShaderFiles base_shader_files(const BaseSettings *settings);
+
+#endif

@@ -1,0 +1,256 @@
+#include "step1_shadowmap/base/view.h"
+
+#include <math.h>   // fmax, fmin, INFINITY, tan
+#include <stdio.h>  // snprintf
+#include <string.h> // memset
+
+#include "step1_shadowmap/base/dvec.h" // dvec_cross, dvec_dot, dvec_frame, ...
+
+// The light's axes and what they span.
+typedef struct LightFrame {
+    double axes[3][3]; // right, up, direction: unit, in world axes
+    double low[3], high[3];
+} LightFrame;
+
+static void vertex_relative(const Object *object, const double origin[3],
+                            size_t vertex, double position[3])
+{
+    const float *local = object->mesh->vertices[vertex].position;
+    for (int row = 0; row < 3; row++) {
+        const double *m = object->transform[row];
+        position[row] = m[0] * (double)local[0] + m[1] * (double)local[1] +
+                        m[2] * (double)local[2] + (m[3] - origin[row]);
+    }
+}
+
+static void frame_coordinates(const LightFrame *frame,
+                              const double position[3], double result[3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        result[axis] = dvec_dot(frame->axes[axis], position);
+    }
+}
+
+static void include(LightFrame *frame, const double point[3], int first_axis)
+{
+    for (int axis = first_axis; axis < 3; axis++) {
+        frame->low[axis] = fmin(frame->low[axis], point[axis]);
+        frame->high[axis] = fmax(frame->high[axis], point[axis]);
+    }
+}
+
+// The bounds of everything that casts, or of everything if nothing does.
+static void bound_casters(LightFrame *frame, const Scene *scene,
+                          const double origin[3])
+{
+    bool any = false;
+    for (int i = 0; i < scene->object_count; i++) {
+        any = any || scene->objects[i].casts;
+    }
+    for (int i = 0; i < scene->object_count; i++) {
+        const Object *object = &scene->objects[i];
+        for (size_t k = 0; k < object->mesh->vertex_count; k++) {
+            double relative[3];
+            double point[3];
+            vertex_relative(object, origin, k, relative);
+            frame_coordinates(frame, relative, point);
+            if (object->casts || !any) {
+                include(frame, point, 0);
+            }
+        }
+    }
+}
+
+// Cuts a convex polygon with the half-space sign * point[axis] <= limit
+// (Sutherland and Hodgman). Returns the new number of corners.
+static int clip(double polygon[][3], int count, int axis, double sign,
+                double limit)
+{
+    double result[16][3];
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        const double *a = polygon[i];
+        const double *b = polygon[(i + 1) % count];
+        double inside_a = limit - sign * a[axis];
+        double inside_b = limit - sign * b[axis];
+        if (inside_a >= 0) {
+            dvec_copy(a, result[kept++]);
+        }
+        if ((inside_a >= 0) != (inside_b >= 0)) {
+            double part = inside_a / (inside_a - inside_b);
+            for (int k = 0; k < 3; k++) {
+                result[kept][k] = a[k] + part * (b[k] - a[k]);
+            }
+            kept++;
+        }
+    }
+    memcpy(polygon, result, sizeof result[0] * (size_t)kept);
+    return kept;
+}
+
+// Widens the depth range to the part of one triangle inside the rectangle.
+static void include_depth(LightFrame *frame, const Object *object,
+                          const double origin[3], const uint32_t corners[3])
+{
+    double polygon[16][3];
+    for (int k = 0; k < 3; k++) {
+        double relative[3];
+        vertex_relative(object, origin, corners[k], relative);
+        frame_coordinates(frame, relative, polygon[k]);
+    }
+    int count = 3;
+    for (int axis = 0; axis < 2; axis++) {
+        count = clip(polygon, count, axis, 1, frame->high[axis]);
+        count = clip(polygon, count, axis, -1, -frame->low[axis]);
+    }
+    for (int k = 0; k < count; k++) {
+        include(frame, polygon[k], 2);
+    }
+}
+
+static void bound_depth(LightFrame *frame, const Scene *scene,
+                        const double origin[3])
+{
+    frame->low[2] = INFINITY;
+    frame->high[2] = -INFINITY;
+    for (int i = 0; i < scene->object_count; i++) {
+        const Object *object = &scene->objects[i];
+        for (size_t k = 0; k < object->mesh->index_count; k += 3) {
+            include_depth(frame, object, origin, object->mesh->indices + k);
+        }
+    }
+}
+
+// Widens the rectangle to the whole map: the border around it, and square
+// texels, so that a filter is as wide along u as along v.
+static void widen_to_map(LightFrame *frame, const Views *views)
+{
+    const int size[2] = {views->width, views->height};
+    double texel = 0;
+    for (int axis = 0; axis < 2; axis++) {
+        double extent = frame->high[axis] - frame->low[axis];
+        // One texel less than fits: nothing touches the border's edge.
+        double inner = fmax(size[axis] - 2 * views->border - 1, 0.5);
+        texel = fmax(texel, extent / inner);
+    }
+    texel = texel > 0 ? texel : 1;
+    for (int axis = 0; axis < 2; axis++) {
+        double middle = 0.5 * (frame->low[axis] + frame->high[axis]);
+        frame->low[axis] = middle - 0.5 * size[axis] * texel;
+        frame->high[axis] = middle + 0.5 * size[axis] * texel;
+    }
+}
+
+static void fit_light(Views *views, const Scene *scene, LightView *view)
+{
+    const double up[3] = {0, 1, 0};
+    const Light *light = &scene->light;
+    LightFrame frame = {.low = {INFINITY, INFINITY, INFINITY},
+                        .high = {-INFINITY, -INFINITY, -INFINITY}};
+    dvec_copy(light->direction, frame.axes[2]);
+    dvec_frame(light->direction, up, frame.axes[0], frame.axes[1]);
+    bound_casters(&frame, scene, views->origin);
+    widen_to_map(&frame, views);
+
+    double from_anchor[3];
+    dvec_subtract(views->origin, light->anchor, from_anchor);
+    double base = dvec_dot(light->direction, from_anchor);
+    if (light->near == 0 && light->far == 0) {
+        bound_depth(&frame, scene, views->origin);
+        double margin = fmax(1e-3 * (frame.high[2] - frame.low[2]),
+                             1e-9 * (frame.high[0] - frame.low[0]));
+        view->near = base + frame.low[2] - margin;
+        view->far = base + frame.high[2] + margin;
+    } else {
+        view->near = light->near;
+        view->far = light->far;
+    }
+    frame.low[2] = view->near - base;
+    frame.high[2] = view->far - base;
+    for (int row = 0; row < 3; row++) {
+        double extent = frame.high[row] - frame.low[row];
+        for (int k = 0; k < 3; k++) {
+            view->map_from_relative[row][k] = frame.axes[row][k] / extent;
+        }
+        view->map_from_relative[row][3] = -frame.low[row] / extent;
+    }
+    view->map_from_relative[3][3] = 1;
+}
+
+// How far the scene reaches in front of the camera, world units.
+static double scene_depth(const Scene *scene, const double origin[3],
+                          const double forward[3])
+{
+    double depth = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        const Object *object = &scene->objects[i];
+        for (size_t k = 0; k < object->mesh->vertex_count; k++) {
+            double relative[3];
+            vertex_relative(object, origin, k, relative);
+            depth = fmax(depth, dvec_dot(forward, relative));
+        }
+    }
+    return depth;
+}
+
+static void fit_camera(Views *views, const Scene *scene, double aspect)
+{
+    const Camera *camera = &scene->camera;
+    double axes[3][3]; // right, up, forward
+    dvec_subtract(camera->target, camera->position, axes[2]);
+    dvec_normalize(axes[2]);
+    dvec_frame(axes[2], camera->up, axes[0], axes[1]);
+    double far = 1.01 * scene_depth(scene, views->origin, axes[2]);
+    double near = 1e-3 * far;
+    double zoom = 1 / tan(0.5 * camera->fov_y);
+    for (int k = 0; k < 3; k++) {
+        views->clip_from_relative[0][k] = axes[0][k] * zoom / aspect;
+        views->clip_from_relative[1][k] = axes[1][k] * zoom;
+        views->clip_from_relative[2][k] =
+            axes[2][k] * (far + near) / (far - near);
+        views->clip_from_relative[3][k] = axes[2][k];
+    }
+    views->clip_from_relative[2][3] = -2 * far * near / (far - near);
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int greatest(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+void views_fit(Views *views, const Scene *scene, const int picture[2],
+               const int map[2], int reach)
+{
+    memset(views, 0, sizeof *views);
+    dvec_copy(scene->camera.position, views->origin);
+    fit_camera(views, scene, (double)picture[0] / picture[1]);
+    views->width = map[0];
+    views->height = map[1];
+    int side = least(map[0], map[1]);
+    views->border = least(greatest(reach, side / 32), (side - 1) / 2);
+    views->layers = 1;
+    fit_light(views, scene, &views->light[0]);
+}
+
+void view_set_matrix(GLuint program, const char *name,
+                     const double matrix[4][4])
+{
+    float rows[16];
+    for (int i = 0; i < 16; i++) {
+        rows[i] = (float)matrix[i / 4][i % 4];
+    }
+    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_TRUE, rows);
+}
+
+void view_set_layer(GLuint program, const Views *views, int layer)
+{
+    char name[32];
+    snprintf(name, sizeof name, "map_from_relative[%d]", layer);
+    view_set_matrix(program, name, views->light[layer].map_from_relative);
+    glUniform1i(glGetUniformLocation(program, "layer"), layer);
+}

@@ -1,0 +1,74 @@
+#include "step1_shadowmap/shadow_map.h"
+
+const Option bias_options[] = {
+    {.name = "bias", .kind = OPTION_NUMBER,
+     .offset = offsetof(BiasSettings, constant), .minimum = -1, .maximum = 1,
+     .argument = "X",
+     .help = "constant depth bias, in units of the depth range"},
+    {.name = "slope-bias", .kind = OPTION_NUMBER,
+     .offset = offsetof(BiasSettings, slope), .minimum = -100, .maximum = 100,
+     .argument = "X",
+     .help = "bias by X times the receiver's depth change across half the "
+             "comparison kernel"},
+    {0},
+};
+
+BiasSettings bias_settings(void)
+{
+    return (BiasSettings){.constant = 5e-4, .slope = 1};
+}
+
+void bias_apply(const BiasSettings *settings, GLuint program)
+{
+    glUseProgram(program);
+    glUniform1f(glGetUniformLocation(program, "bias"),
+                (float)settings->constant);
+    glUniform1f(glGetUniformLocation(program, "slope_bias"),
+                (float)settings->slope);
+}
+
+ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
+                            GLenum format, GLenum filter,
+                            const char *fragment_shader)
+{
+    gl_check_size("map-size", views->width, views->height);
+    const char *vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
+    const char *fragment[] = {fragment_shader, NULL};
+    ShadowMap map = {.width = views->width,
+                     .height = views->height,
+                     .layers = views->layers};
+    map.program = gl_program(files, vertex, fragment);
+    map.texture = gl_texture_array(format, map.width, map.height, map.layers,
+                                   filter);
+    map.depth_buffer = gl_depth_buffer(map.width, map.height);
+    for (int layer = 0; layer < map.layers; layer++) {
+        map.framebuffers[layer] =
+            gl_layer_framebuffer(map.texture, layer, map.depth_buffer);
+    }
+    return map;
+}
+
+void shadow_map_draw(const ShadowMap *map, const Scene *scene,
+                     const Geometry *geometry, const Views *views)
+{
+    static const float far_depth[4] = {1, 1, 1, 1};
+    glEnable(GL_DEPTH_TEST);
+    glViewport(0, 0, map->width, map->height);
+    glUseProgram(map->program);
+    for (int layer = 0; layer < map->layers; layer++) {
+        glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
+        glClearBufferfv(GL_COLOR, 0, far_depth);
+        glClearBufferfv(GL_DEPTH, 0, far_depth);
+        view_set_layer(map->program, views, layer);
+        geometry_draw(geometry, scene, views->origin, map->program);
+    }
+}
+
+void shadow_map_destroy(ShadowMap *map)
+{
+    glDeleteFramebuffers(map->layers, map->framebuffers);
+    glDeleteRenderbuffers(1, &map->depth_buffer);
+    glDeleteTextures(1, &map->texture);
+    glDeleteProgram(map->program);
+    *map = (ShadowMap){0};
+}

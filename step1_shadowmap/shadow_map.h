@@ -1,0 +1,44 @@
+// Step 1: the scene as the light sees it, in a texture.
+#ifndef STEP1_SHADOW_MAP_H
+#define STEP1_SHADOW_MAP_H
+
+#include "step1_shadowmap/base/geometry.h" // Geometry
+#include "step1_shadowmap/base/gl.h"       // ShaderFiles
+#include "step1_shadowmap/base/options.h"  // Option
+#include "step1_shadowmap/base/view.h"     // Views
+
+// Against self-shadowing, for every step that compares depths.
+typedef struct BiasSettings {
+    double constant; // of the depth range
+    double slope;    // of the depth change across half the comparison kernel
+} BiasSettings;
+
+extern const Option bias_options[];
+
+BiasSettings bias_settings(void);
+
+// Sets the uniforms of bias.glsl.
+void bias_apply(const BiasSettings *settings, GLuint program);
+
+typedef struct ShadowMap {
+    GLuint program;
+    GLuint texture; // 2D array, a layer per view
+    GLuint depth_buffer;
+    GLuint framebuffers[VIEW_MAX_LAYERS];
+    int width, height, layers;
+} ShadowMap;
+
+// A map of the given format, one layer per view, filled by the fragment
+// shader, which gets t in [0, 1] and writes what the map keeps of it. `filter`
+// says how it is looked up (GL_NEAREST or GL_LINEAR).
+ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
+                            GLenum format, GLenum filter,
+                            const char *fragment_shader);
+
+// Draws the scene into every layer; what nothing covers is at far depth, 1.
+void shadow_map_draw(const ShadowMap *map, const Scene *scene,
+                     const Geometry *geometry, const Views *views);
+
+void shadow_map_destroy(ShadowMap *map);
+
+#endif

@@ -1,0 +1,96 @@
+// Step 2: percentage-closer filtering. The map is step 1's; each point of the
+// picture compares itself with n x n of its texels and averages the answers.
+
+#include "step1_shadowmap/base/context.h"    // context_create
+#include "step1_shadowmap/base/dump.h"       // dump_layers, dump_run
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/settings.h"   // base_settings
+#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
+#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
+#include "step2_pcf/pcf.h"                   // pcf_apply
+
+static struct {
+    BaseSettings base;
+    BiasSettings bias;
+    PcfSettings pcf;
+    OptionTable options[4];
+    Context context;
+    Scene scene;
+    Views views;
+    Geometry geometry;
+    ShadowMap map;
+    SceneDraw picture;
+    Stopwatch stopwatch;
+} state;
+
+static void read_settings(int argc, char **argv)
+{
+    state.base = base_settings("out/step2.png");
+    state.bias = bias_settings();
+    state.pcf = pcf_settings();
+    state.options[0] = (OptionTable){base_options, &state.base, {false}};
+    state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
+    state.options[2] = (OptionTable){pcf_options, &state.pcf, {false}};
+    options_parse(argc, argv, state.options);
+    base_settings_check(&state.base, state.options);
+}
+
+static void create(void)
+{
+    static const char *const visibility[] = {
+        "step1_shadowmap/shaders/bias.glsl",
+        "step2_pcf/shaders/pcf.glsl", NULL};
+    scene_create(&state.scene, state.base.scene);
+    state.context = context_create();
+    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
+              pcf_reach(&state.pcf));
+    state.geometry = geometry_create(&state.scene);
+    state.map = shadow_map_create(base_shader_files(&state.base), &state.views,
+                                  GL_R32F, GL_NEAREST,
+                                  "step1_shadowmap/shaders/depth.frag");
+    state.picture = scene_draw_create(&state.base, visibility);
+    bias_apply(&state.bias, state.picture.program);
+    pcf_apply(&state.pcf, state.picture.program);
+}
+
+static void draw_frame(void)
+{
+    stopwatch_start(&state.stopwatch);
+    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
+    stopwatch_lap(&state.stopwatch, "depth");
+    scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
+               state.map.texture);
+    stopwatch_lap(&state.stopwatch, "shading");
+}
+
+static void write_files(void)
+{
+    if (state.base.dump != NULL) {
+        const Run run = {"step2_pcf", 2, state.base.scene, state.options,
+                         &state.views, &state.stopwatch};
+        dump_layers(state.base.dump, "depth", state.map.texture,
+                    state.map.width, state.map.height, state.map.layers, 1);
+        scene_draw_dump(&state.picture, state.base.dump);
+        dump_run(state.base.dump, &run);
+    }
+    scene_draw_write(&state.picture, state.base.output);
+}
+
+static void destroy(void)
+{
+    scene_draw_destroy(&state.picture);
+    shadow_map_destroy(&state.map);
+    geometry_destroy(&state.geometry);
+    context_destroy(&state.context);
+    scene_destroy(&state.scene);
+}
+
+int main(int argc, char **argv)
+{
+    read_settings(argc, argv);
+    create();
+    draw_frame();
+    write_files();
+    destroy();
+    return 0;
+}

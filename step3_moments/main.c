@@ -1,0 +1,96 @@
+// Step 3: moments. The map keeps two numbers per texel, the depth and its
+// square. The picture still compares with one of them, the mean.
+
+#include "step1_shadowmap/base/context.h"    // context_create
+#include "step1_shadowmap/base/dump.h"       // dump_layers, dump_run
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/settings.h"   // base_settings
+#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
+#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
+#include "step3_moments/moments.h"           // moments_create
+
+static struct {
+    BaseSettings base;
+    BiasSettings bias;
+    MomentsSettings moments;
+    OptionTable options[4];
+    Context context;
+    Scene scene;
+    Views views;
+    Geometry geometry;
+    ShadowMap map; // of moments
+    SceneDraw picture;
+    Stopwatch stopwatch;
+} state;
+
+static void read_settings(int argc, char **argv)
+{
+    state.base = base_settings("out/step3.png");
+    state.bias = bias_settings();
+    state.moments = moments_settings();
+    state.options[0] = (OptionTable){base_options, &state.base, {false}};
+    state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
+    state.options[2] =
+        (OptionTable){moments_options, &state.moments, {false}};
+    options_parse(argc, argv, state.options);
+    base_settings_check(&state.base, state.options);
+}
+
+static void create(void)
+{
+    static const char *const visibility[] = {
+        "step1_shadowmap/shaders/bias.glsl",
+        "step3_moments/shaders/mean.glsl", NULL};
+    enum { REACH = 1 }; // texels that a bilinear lookup reads to each side
+    scene_create(&state.scene, state.base.scene);
+    state.context = context_create();
+    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
+              REACH);
+    state.geometry = geometry_create(&state.scene);
+    state.map = moments_create(base_shader_files(&state.base), &state.views,
+                               &state.moments);
+    state.picture = scene_draw_create(&state.base, visibility);
+    bias_apply(&state.bias, state.picture.program);
+}
+
+static void draw_frame(void)
+{
+    stopwatch_start(&state.stopwatch);
+    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
+    stopwatch_lap(&state.stopwatch, "moments");
+    scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
+               state.map.texture);
+    stopwatch_lap(&state.stopwatch, "shading");
+}
+
+static void write_files(void)
+{
+    if (state.base.dump != NULL) {
+        const Run run = {"step3_moments", 3, state.base.scene, state.options,
+                         &state.views, &state.stopwatch};
+        dump_layers(state.base.dump, "moments", state.map.texture,
+                    state.map.width, state.map.height, state.map.layers, 2);
+        scene_draw_dump(&state.picture, state.base.dump);
+        dump_run(state.base.dump, &run);
+    }
+    scene_draw_write(&state.picture, state.base.output);
+}
+
+static void destroy(void)
+{
+    scene_draw_destroy(&state.picture);
+    shadow_map_destroy(&state.map);
+    geometry_destroy(&state.geometry);
+    context_destroy(&state.context);
+    scene_destroy(&state.scene);
+}
+
+int main(int argc, char **argv)
+{
+    read_settings(argc, argv);
+    create();
+    draw_frame();
+    write_files();
+    destroy();
+    return 0;
+}

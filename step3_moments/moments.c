@@ -1,0 +1,26 @@
+#include "step3_moments/moments.h"
+
+const Option moments_options[] = {
+    {.name = "format", .kind = OPTION_CHOICE,
+     .offset = offsetof(MomentsSettings, format), .choices = "rg32f",
+     .argument = "rg32f", .help = "what the two moments are stored in"},
+    {0},
+};
+
+MomentsSettings moments_settings(void)
+{
+    return (MomentsSettings){.format = "rg32f"};
+}
+
+GLenum moments_format(const MomentsSettings *settings)
+{
+    (void)settings;
+    return GL_RG32F;
+}
+
+ShadowMap moments_create(ShaderFiles files, const Views *views,
+                         const MomentsSettings *settings)
+{
+    return shadow_map_create(files, views, moments_format(settings), GL_LINEAR,
+                             "step3_moments/shaders/moments.frag");
+}

@@ -1,0 +1,12 @@
+// Step 3: the first two moments of the depth's distribution. One texel holds
+// one depth, so here M2 is only its square; it cannot be had from M1 any more
+// once texels have been averaged.
+
+in float depth;
+
+layout(location = 0) out vec2 moments;
+
+void main()
+{
+    moments = vec2(depth, depth * depth);
+}

@@ -1,0 +1,53 @@
+// Step 4: the moments, filtered before anyone looks them up.
+#ifndef STEP4_BLUR_H
+#define STEP4_BLUR_H
+
+#include "step1_shadowmap/base/options.h" // Option
+#include "step1_shadowmap/shadow_map.h"   // ShadowMap
+
+typedef struct BlurSettings {
+    const char *kernel; // none or box
+    int radius;         // texels of the downsampled map
+    int downsample;     // factor along each axis
+} BlurSettings;
+
+extern const Option blur_options[];
+
+BlurSettings blur_settings(void);
+
+// Refuses (status 2) a radius that contradicts the kernel or is wider than
+// the map, and a factor that does not divide the map.
+void blur_settings_check(const BlurSettings *settings, const int map_size[2],
+                         const OptionTable tables[]);
+
+// How many texels of the full map one filtered lookup reads to each side.
+int blur_reach(const BlurSettings *settings);
+
+// An array texture of the map's size over the factor, and what fills it.
+typedef struct BlurTarget {
+    GLuint texture;
+    GLuint framebuffers[VIEW_MAX_LAYERS];
+} BlurTarget;
+
+typedef struct Blur {
+    GLuint downsample_program; // 0 where the factor is 1
+    GLuint blur_program;       // 0 where the radius is 0
+    GLuint weights;            // 1D kernel, 2 radius + 1 texels
+    GLuint empty_vao;
+    BlurTarget small;      // downsampled
+    BlurTarget horizontal; // blurred along u
+    BlurTarget vertical;   // then along v
+    int factor, radius;
+    int width, height, layers; // of the result
+} Blur;
+
+Blur blur_create(ShaderFiles files, const BlurSettings *settings,
+                 const ShadowMap *moments, GLenum format);
+
+// Filters every layer and returns the texture that holds the result: the
+// moments themselves where there is nothing to do.
+GLuint blur_apply(const Blur *blur, const ShadowMap *moments);
+
+void blur_destroy(Blur *blur);
+
+#endif

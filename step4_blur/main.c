@@ -1,0 +1,111 @@
+// Step 4: blur. The moments are averaged over a neighbourhood before the
+// picture looks them up. It still compares with the mean: this is why it is
+// wrong.
+
+#include "step1_shadowmap/base/context.h"    // context_create
+#include "step1_shadowmap/base/dump.h"       // dump_layers, dump_run
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/settings.h"   // base_settings
+#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
+#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
+#include "step3_moments/moments.h"           // moments_create
+#include "step4_blur/blur.h"                 // blur_apply
+
+static struct {
+    BaseSettings base;
+    BiasSettings bias;
+    MomentsSettings moments;
+    BlurSettings blur;
+    OptionTable options[5];
+    Context context;
+    Scene scene;
+    Views views;
+    Geometry geometry;
+    ShadowMap map; // of moments
+    Blur filter;
+    GLuint filtered; // the map that the picture looks up
+    SceneDraw picture;
+    Stopwatch stopwatch;
+} state;
+
+static void read_settings(int argc, char **argv)
+{
+    state.base = base_settings("out/step4.png");
+    state.bias = bias_settings();
+    state.moments = moments_settings();
+    state.blur = blur_settings();
+    state.options[0] = (OptionTable){base_options, &state.base, {false}};
+    state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
+    state.options[2] =
+        (OptionTable){moments_options, &state.moments, {false}};
+    state.options[3] = (OptionTable){blur_options, &state.blur, {false}};
+    options_parse(argc, argv, state.options);
+    blur_settings_check(&state.blur, state.base.map_size, state.options);
+    base_settings_check(&state.base, state.options);
+}
+
+static void create(void)
+{
+    static const char *const visibility[] = {
+        "step1_shadowmap/shaders/bias.glsl",
+        "step3_moments/shaders/mean.glsl", NULL};
+    scene_create(&state.scene, state.base.scene);
+    state.context = context_create();
+    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
+              blur_reach(&state.blur));
+    state.geometry = geometry_create(&state.scene);
+    state.map = moments_create(base_shader_files(&state.base), &state.views,
+                               &state.moments);
+    state.filter = blur_create(base_shader_files(&state.base), &state.blur,
+                               &state.map, moments_format(&state.moments));
+    state.picture = scene_draw_create(&state.base, visibility);
+    bias_apply(&state.bias, state.picture.program);
+}
+
+static void draw_frame(void)
+{
+    stopwatch_start(&state.stopwatch);
+    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
+    stopwatch_lap(&state.stopwatch, "moments");
+    state.filtered = blur_apply(&state.filter, &state.map);
+    stopwatch_lap(&state.stopwatch, "blur");
+    scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
+               state.filtered);
+    stopwatch_lap(&state.stopwatch, "shading");
+}
+
+static void write_files(void)
+{
+    if (state.base.dump != NULL) {
+        const Run run = {"step4_blur", 4, state.base.scene, state.options,
+                         &state.views, &state.stopwatch};
+        dump_layers(state.base.dump, "moments", state.map.texture,
+                    state.map.width, state.map.height, state.map.layers, 2);
+        dump_layers(state.base.dump, "blurred", state.filtered,
+                    state.filter.width, state.filter.height,
+                    state.filter.layers, 2);
+        scene_draw_dump(&state.picture, state.base.dump);
+        dump_run(state.base.dump, &run);
+    }
+    scene_draw_write(&state.picture, state.base.output);
+}
+
+static void destroy(void)
+{
+    scene_draw_destroy(&state.picture);
+    blur_destroy(&state.filter);
+    shadow_map_destroy(&state.map);
+    geometry_destroy(&state.geometry);
+    context_destroy(&state.context);
+    scene_destroy(&state.scene);
+}
+
+int main(int argc, char **argv)
+{
+    read_settings(argc, argv);
+    create();
+    draw_frame();
+    write_files();
+    destroy();
+    return 0;
+}
