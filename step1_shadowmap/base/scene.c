@@ -180,8 +180,8 @@ static void build_edge(Scene *scene, const double values[])
 {
     const double range = 10;
     const double eye[3] = {5.0, 5.5, 4.5};
-    const double target[3] = {0.3, 0.4, 0.3};
-    set_camera(scene, eye, target, 36);
+    const double target[3] = {0.1, 0.5, 0.1};
+    set_camera(scene, eye, target, 24);
     set_light(scene, -0.35, -0.9, -0.25);
     for (int k = 0; k < 3; k++) {
         scene->light.anchor[k] = -0.9 * range * scene->light.direction[k];
@@ -212,8 +212,8 @@ static void build_bleed(Scene *scene, const double values[])
     const double upper_gap = values[BLEED_RATIO] * lower_gap;
     const double height = 1 + lower_gap + upper_gap;
     const double eye[3] = {6.2, 2.2, 3.2};
-    const double target[3] = {0.35, 0.2, 0};
-    set_camera(scene, eye, target, 36);
+    const double target[3] = {0.1, 0.8, 0};
+    set_camera(scene, eye, target, 28);
     set_light(scene, -0.12, -0.98, -0.08);
     for (int k = 0; k < 3; k++) {
         scene->light.anchor[k] = -height * scene->light.direction[k];

@@ -88,9 +88,11 @@ static int clip(double polygon[][3], int count, int axis, double sign,
     return kept;
 }
 
-// Widens the depth range to the part of one triangle inside the rectangle.
+// Widens the depth range to the part of one triangle that is inside the
+// rectangle, or outside by at most `around`.
 static void include_depth(LightFrame *frame, const Object *object,
-                          const double origin[3], const uint32_t corners[3])
+                          const double origin[3], const uint32_t corners[3],
+                          double around)
 {
     double polygon[16][3];
     for (int k = 0; k < 3; k++) {
@@ -100,23 +102,30 @@ static void include_depth(LightFrame *frame, const Object *object,
     }
     int count = 3;
     for (int axis = 0; axis < 2; axis++) {
-        count = clip(polygon, count, axis, 1, frame->high[axis]);
-        count = clip(polygon, count, axis, -1, -frame->low[axis]);
+        count = clip(polygon, count, axis, 1, frame->high[axis] + around);
+        count = clip(polygon, count, axis, -1, around - frame->low[axis]);
     }
     for (int k = 0; k < count; k++) {
         include(frame, polygon[k], 2);
     }
 }
 
+// A filter at the map's edge reads far depth where a surface goes on outside.
+// Far is only far if it is behind that part of the surface too, so the range
+// holds what is within one border around the map; else a lit floor that leaves
+// the map falling away from the light is darkened along the edge.
 static void bound_depth(LightFrame *frame, const Scene *scene,
-                        const double origin[3])
+                        const Views *views)
 {
+    double texel = (frame->high[0] - frame->low[0]) / views->width;
+    double around = texel * views->border;
     frame->low[2] = INFINITY;
     frame->high[2] = -INFINITY;
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
         for (size_t k = 0; k < object->mesh->index_count; k += 3) {
-            include_depth(frame, object, origin, object->mesh->indices + k);
+            include_depth(frame, object, views->origin,
+                          object->mesh->indices + k, around);
         }
     }
 }
@@ -156,11 +165,15 @@ static void fit_light(Views *views, const Scene *scene, LightView *view)
     dvec_subtract(views->origin, light->anchor, from_anchor);
     double base = dvec_dot(light->direction, from_anchor);
     if (light->near == 0 && light->far == 0) {
-        bound_depth(&frame, scene, views->origin);
-        double margin = fmax(1e-3 * (frame.high[2] - frame.low[2]),
-                             1e-9 * (frame.high[0] - frame.low[0]));
-        view->near = base + frame.low[2] - margin;
-        view->far = base + frame.high[2] + margin;
+        bound_depth(&frame, scene, views);
+        // A plane that faces the light has no depth of its own.
+        double range = fmax(frame.high[2] - frame.low[2],
+                            1e-6 * (frame.high[0] - frame.low[0]));
+        // Nothing is at depth 0: rounding is bounded relative to the stored
+        // moments in step 5, but a receiver's own depth errs by as much near
+        // 0 as it does near 1.
+        view->near = base + frame.low[2] - range / 16;
+        view->far = base + frame.high[2] + range / 256;
     } else {
         view->near = light->near;
         view->far = light->far;
