@@ -43,9 +43,9 @@ static void create(void)
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               REACH);
     state.geometry = geometry_create(&state.scene);
-    state.map = shadow_map_create(base_shader_files(&state.base), &state.views,
-                                  GL_R32F, GL_NEAREST,
-                                  "step1_shadowmap/shaders/depth.frag");
+    state.map =
+        shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
+                          GL_NEAREST, "step1_shadowmap/shaders/depth.frag");
     state.picture = scene_draw_create(&state.base, visibility);
     bias_apply(&state.bias, state.picture.program);
 }
@@ -63,8 +63,9 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step1_shadowmap", 1, state.base.scene, state.options,
-                         &state.views, &state.stopwatch};
+        const Run run = {"step1_shadowmap", 1,
+                         state.base.scene,  state.options,
+                         &state.views,      &state.stopwatch};
         dump_layers(state.base.dump, "depth", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 1);
         scene_draw_dump(&state.picture, state.base.dump);

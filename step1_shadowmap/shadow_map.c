@@ -1,12 +1,18 @@
 #include "step1_shadowmap/shadow_map.h"
 
 const Option bias_options[] = {
-    {.name = "bias", .kind = OPTION_NUMBER,
-     .offset = offsetof(BiasSettings, constant), .minimum = -1, .maximum = 1,
+    {.name = "bias",
+     .kind = OPTION_NUMBER,
+     .offset = offsetof(BiasSettings, constant),
+     .minimum = -1,
+     .maximum = 1,
      .argument = "X",
      .help = "constant depth bias, in units of the depth range"},
-    {.name = "slope-bias", .kind = OPTION_NUMBER,
-     .offset = offsetof(BiasSettings, slope), .minimum = -100, .maximum = 100,
+    {.name = "slope-bias",
+     .kind = OPTION_NUMBER,
+     .offset = offsetof(BiasSettings, slope),
+     .minimum = -100,
+     .maximum = 100,
      .argument = "X",
      .help = "bias by X times the receiver's depth change across half the "
              "comparison kernel"},
@@ -38,8 +44,8 @@ ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
                      .height = views->height,
                      .layers = views->layers};
     map.program = gl_program(files, vertex, fragment);
-    map.texture = gl_texture_array(format, map.width, map.height, map.layers,
-                                   filter);
+    map.texture =
+        gl_texture_array(format, map.width, map.height, map.layers, filter);
     map.depth_buffer = gl_depth_buffer(map.width, map.height);
     for (int layer = 0; layer < map.layers; layer++) {
         map.framebuffers[layer] =

@@ -38,16 +38,16 @@ static void read_settings(int argc, char **argv)
 static void create(void)
 {
     static const char *const visibility[] = {
-        "step1_shadowmap/shaders/bias.glsl",
-        "step2_pcf/shaders/pcf.glsl", NULL};
+        "step1_shadowmap/shaders/bias.glsl", "step2_pcf/shaders/pcf.glsl",
+        NULL};
     scene_create(&state.scene, state.base.scene);
     state.context = context_create();
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               pcf_reach(&state.pcf));
     state.geometry = geometry_create(&state.scene);
-    state.map = shadow_map_create(base_shader_files(&state.base), &state.views,
-                                  GL_R32F, GL_NEAREST,
-                                  "step1_shadowmap/shaders/depth.frag");
+    state.map =
+        shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
+                          GL_NEAREST, "step1_shadowmap/shaders/depth.frag");
     state.picture = scene_draw_create(&state.base, visibility);
     bias_apply(&state.bias, state.picture.program);
     pcf_apply(&state.pcf, state.picture.program);
@@ -66,8 +66,9 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step2_pcf", 2, state.base.scene, state.options,
-                         &state.views, &state.stopwatch};
+        const Run run = {"step2_pcf",      2,
+                         state.base.scene, state.options,
+                         &state.views,     &state.stopwatch};
         dump_layers(state.base.dump, "depth", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 1);
         scene_draw_dump(&state.picture, state.base.dump);

@@ -1,8 +1,11 @@
 #include "step2_pcf/pcf.h"
 
 const Option pcf_options[] = {
-    {.name = "kernel", .kind = OPTION_ODD,
-     .offset = offsetof(PcfSettings, kernel), .minimum = 1, .maximum = 255,
+    {.name = "kernel",
+     .kind = OPTION_ODD,
+     .offset = offsetof(PcfSettings, kernel),
+     .minimum = 1,
+     .maximum = 255,
      .argument = "N",
      .help = "filter width in texels of the map, N x N comparisons"},
     {0},

@@ -30,8 +30,7 @@ static void read_settings(int argc, char **argv)
     state.moments = moments_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
-    state.options[2] =
-        (OptionTable){moments_options, &state.moments, {false}};
+    state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     options_parse(argc, argv, state.options);
     base_settings_check(&state.base, state.options);
 }
@@ -39,8 +38,8 @@ static void read_settings(int argc, char **argv)
 static void create(void)
 {
     static const char *const visibility[] = {
-        "step1_shadowmap/shaders/bias.glsl",
-        "step3_moments/shaders/mean.glsl", NULL};
+        "step1_shadowmap/shaders/bias.glsl", "step3_moments/shaders/mean.glsl",
+        NULL};
     enum { REACH = 1 }; // texels that a bilinear lookup reads to each side
     scene_create(&state.scene, state.base.scene);
     state.context = context_create();
@@ -66,8 +65,9 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step3_moments", 3, state.base.scene, state.options,
-                         &state.views, &state.stopwatch};
+        const Run run = {"step3_moments",  3,
+                         state.base.scene, state.options,
+                         &state.views,     &state.stopwatch};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
         scene_draw_dump(&state.picture, state.base.dump);

@@ -1,9 +1,11 @@
 #include "step3_moments/moments.h"
 
 const Option moments_options[] = {
-    {.name = "format", .kind = OPTION_CHOICE,
-     .offset = offsetof(MomentsSettings, format), .choices = "rg32f",
-     .argument = "rg32f", .help = "what the two moments are stored in"},
+    {.name = "format",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(MomentsSettings, format),
+     .choices = "rg32f",
+     .help = "what the two moments are stored in"},
     {0},
 };
 

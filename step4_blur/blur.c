@@ -6,15 +6,23 @@
 #include "step1_shadowmap/base/die.h" // allocate, die_usage
 
 const Option blur_options[] = {
-    {.name = "blur", .kind = OPTION_CHOICE,
-     .offset = offsetof(BlurSettings, kernel), .choices = "none,box",
-     .argument = "none|box", .help = "the filter's kernel"},
-    {.name = "radius", .kind = OPTION_INTEGER,
-     .offset = offsetof(BlurSettings, radius), .minimum = 0, .maximum = 1024,
+    {.name = "blur",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BlurSettings, kernel),
+     .choices = "none,box",
+     .help = "the filter's kernel"},
+    {.name = "radius",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BlurSettings, radius),
+     .minimum = 0,
+     .maximum = 1024,
      .argument = "N",
      .help = "the filter is 2 N + 1 texels wide, of the map it runs on"},
-    {.name = "downsample", .kind = OPTION_INTEGER,
-     .offset = offsetof(BlurSettings, downsample), .minimum = 1, .maximum = 16,
+    {.name = "downsample",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BlurSettings, downsample),
+     .minimum = 1,
+     .maximum = 16,
      .argument = "N",
      .help = "average N x N texels into one before the blur"},
     {0},
@@ -44,8 +52,7 @@ void blur_settings_check(const BlurSettings *settings, const int map_size[2],
             die_usage("--downsample %d does not divide --map-size %dx%d",
                       settings->downsample, map_size[0], map_size[1]);
         }
-        if (used_radius(settings) > 0 &&
-            2 * used_radius(settings) + 1 > side) {
+        if (used_radius(settings) > 0 && 2 * used_radius(settings) + 1 > side) {
             die_usage("--radius %d is wider than the map: at %d texels "
                       "allowed are 0 to %d",
                       settings->radius, side, (side - 1) / 2);
@@ -60,9 +67,9 @@ int blur_reach(const BlurSettings *settings)
 
 static BlurTarget create_target(const Blur *blur, GLenum format)
 {
-    BlurTarget target = {
-        .texture = gl_texture_array(format, blur->width, blur->height,
-                                    blur->layers, GL_LINEAR)};
+    BlurTarget target = {.texture =
+                             gl_texture_array(format, blur->width, blur->height,
+                                              blur->layers, GL_LINEAR)};
     for (int layer = 0; layer < blur->layers; layer++) {
         target.framebuffers[layer] =
             gl_layer_framebuffer(target.texture, layer, 0);

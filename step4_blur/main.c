@@ -36,8 +36,7 @@ static void read_settings(int argc, char **argv)
     state.blur = blur_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
-    state.options[2] =
-        (OptionTable){moments_options, &state.moments, {false}};
+    state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     state.options[3] = (OptionTable){blur_options, &state.blur, {false}};
     options_parse(argc, argv, state.options);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
@@ -47,8 +46,8 @@ static void read_settings(int argc, char **argv)
 static void create(void)
 {
     static const char *const visibility[] = {
-        "step1_shadowmap/shaders/bias.glsl",
-        "step3_moments/shaders/mean.glsl", NULL};
+        "step1_shadowmap/shaders/bias.glsl", "step3_moments/shaders/mean.glsl",
+        NULL};
     scene_create(&state.scene, state.base.scene);
     state.context = context_create();
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
@@ -77,8 +76,9 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step4_blur", 4, state.base.scene, state.options,
-                         &state.views, &state.stopwatch};
+        const Run run = {"step4_blur",     4,
+                         state.base.scene, state.options,
+                         &state.views,     &state.stopwatch};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
         dump_layers(state.base.dump, "blurred", state.filtered,

@@ -3,14 +3,21 @@
 #include "step1_shadowmap/base/die.h" // die
 
 const Option chebyshev_options[] = {
-    {.name = "min-variance", .kind = OPTION_NUMBER,
-     .offset = offsetof(ChebyshevSettings, min_variance), .minimum = 0,
-     .maximum = 1, .choices = "auto", .argument = "X",
+    {.name = "min-variance",
+     .kind = OPTION_NUMBER,
+     .offset = offsetof(ChebyshevSettings, min_variance),
+     .minimum = 0,
+     .maximum = 1,
+     .choices = "auto",
+     .argument = "X",
      .help = "least variance, in units of the squared depth range; auto: "
              "what the format's rounding can hide"},
-    {.name = "bleed-reduction", .kind = OPTION_NUMBER,
-     .offset = offsetof(ChebyshevSettings, bleed_reduction), .minimum = 0,
-     .maximum = 0.9999, .argument = "X",
+    {.name = "bleed-reduction",
+     .kind = OPTION_NUMBER,
+     .offset = offsetof(ChebyshevSettings, bleed_reduction),
+     .minimum = 0,
+     .maximum = 0.9999,
+     .argument = "X",
      .help = "visibility up to X becomes 0, the rest is stretched"},
     {0},
 };
@@ -39,8 +46,7 @@ void chebyshev_apply(const ChebyshevSettings *settings, GLenum format,
     double constant = automatic ? 0 : settings->min_variance;
     double relative = automatic ? 4 * unit_roundoff(format) : 0;
     glUseProgram(program);
-    glUniform1f(glGetUniformLocation(program, "min_variance"),
-                (float)constant);
+    glUniform1f(glGetUniformLocation(program, "min_variance"), (float)constant);
     glUniform1f(glGetUniformLocation(program, "min_variance_of_m2"),
                 (float)relative);
     glUniform1f(glGetUniformLocation(program, "bleed_reduction"),

@@ -35,8 +35,7 @@ static void read_settings(int argc, char **argv)
     state.blur = blur_settings();
     state.chebyshev = chebyshev_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
-    state.options[1] =
-        (OptionTable){moments_options, &state.moments, {false}};
+    state.options[1] = (OptionTable){moments_options, &state.moments, {false}};
     state.options[2] = (OptionTable){blur_options, &state.blur, {false}};
     state.options[3] =
         (OptionTable){chebyshev_options, &state.chebyshev, {false}};
@@ -78,8 +77,9 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step5_chebyshev", 5, state.base.scene, state.options,
-                         &state.views, &state.stopwatch};
+        const Run run = {"step5_chebyshev", 5,
+                         state.base.scene,  state.options,
+                         &state.views,      &state.stopwatch};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
         dump_layers(state.base.dump, "blurred", state.filtered,

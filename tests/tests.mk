@@ -1,1 +1,50 @@
-# The tests, and what only they need.
+# The tests, and what only they need. `make test STEP=3` runs one step's.
+
+TEST_RECOGNISED := libglm-dev:module:glm perl:command:prove \
+    libembree-dev:header:/usr/include/embree*/rtcore.h \
+    nlohmann-json3-dev:header:/usr/include/nlohmann/json.hpp
+LINT_RECOGNISED := clang:command:clang clang-format:command:clang-format \
+    shellcheck:command:shellcheck
+
+set-up-tests: set-up
+	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the tests' $(TEST_RECOGNISED)
+
+# The oracle shares the scene table and the meshes with the programs, and
+# nothing else. No fused multiply-add: its error bounds count roundings.
+ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
+ORACLE_OBJECTS := $(ORACLE_SOURCES:%=build/obj/%.o)
+ORACLE_SHARED := $(patsubst %,build/obj/step1_shadowmap/base/%.c.o,\
+    scene mesh die)
+EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\
+    $(firstword $(wildcard /usr/include/embree*/rtcore.h)))
+
+$(ORACLE_OBJECTS): PACKAGES := glm OpenImageIO
+$(ORACLE_OBJECTS): CXXFLAGS += -ffp-contract=off
+$(ORACLE_OBJECTS): WARNINGS := -Wall -Wextra -Wpedantic -Wshadow
+$(ORACLE_OBJECTS): | set-up-tests
+build/oracle: PACKAGES := OpenImageIO
+build/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED)
+	@echo link $@
+	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
+-include $(ORACLE_OBJECTS:.o=.d)
+
+ifeq ($(origin STEP),command line)
+TESTS = tests/images/step$(STEP).t
+else
+TESTS = -r tests/images tests/robustness
+endif
+
+test: set-up-tests programs build/oracle ## set up, build, test (STEP=n: one step only)
+	@perl tests/run.pl $(TESTS)
+
+mutants: set-up-tests programs build/oracle ## plant mistakes one at a time: each must be caught
+	@perl tests/mutants.pl
+
+CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
+lint: programs build/oracle ## compile with gcc and clang without a warning, check the format
+	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'lint' $(LINT_RECOGNISED)
+	@clang-format --dry-run --Werror $(CODE)
+	@sh tests/lint.sh
+
+format: ## lay out the C and C++ files
+	@clang-format -i $(CODE)

@@ -16,11 +16,16 @@ enum { SIDE = 1 };
 
 static OSMesaContext create_core_context(void)
 {
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS, 0,
-                              OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                              OSMESA_CONTEXT_MINOR_VERSION, 3,
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              0,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
                               0};
     return OSMesaCreateContextAttribs(attributes, NULL);
 }

@@ -23,8 +23,7 @@ void dump_layers(const char *directory, const char *name, GLuint texture,
     for (int layer = 0; layer < layers; layer++) {
         char layer_name[64];
         snprintf(layer_name, sizeof layer_name, "%s.%d", name, layer);
-        float *texels =
-            gl_read_layer(texture, layer, width, height, channels);
+        float *texels = gl_read_layer(texture, layer, width, height, channels);
         dump_image(directory, layer_name, texels, width, height, channels);
         free(texels);
     }
@@ -73,8 +72,8 @@ static void write_passes(FILE *file, const Stopwatch *stopwatch)
 
 static void write_run(FILE *file, const Run *run)
 {
-    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n",
-            run->program, run->step);
+    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n", run->program,
+            run->step);
     fprintf(file, "  \"scene\": \"%s\",\n  \"options\": {", run->scene);
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);

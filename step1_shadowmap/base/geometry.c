@@ -70,9 +70,8 @@ static void set_object_uniforms(const Object *object, const double origin[3],
     glm_mat4_pick3(relative_from_object, normal_from_object);
     glm_mat3_inv(normal_from_object, normal_from_object);
     glm_mat3_transpose(normal_from_object);
-    glUniformMatrix4fv(
-        glGetUniformLocation(program, "relative_from_object"), 1, GL_FALSE,
-        relative_from_object[0]);
+    glUniformMatrix4fv(glGetUniformLocation(program, "relative_from_object"), 1,
+                       GL_FALSE, relative_from_object[0]);
     glUniformMatrix3fv(glGetUniformLocation(program, "normal_from_object"), 1,
                        GL_FALSE, normal_from_object[0]);
     glUniform3fv(glGetUniformLocation(program, "albedo"), 1, object->albedo);

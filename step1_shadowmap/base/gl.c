@@ -11,8 +11,7 @@ enum { MAX_FILES = 12, PATH_BYTES = 4096, LOG_BYTES = 4096 };
 
 static void GLAD_API_PTR stop_on_error(GLenum source, GLenum type, GLuint id,
                                        GLenum severity, GLsizei length,
-                                       const GLchar *message,
-                                       const void *user)
+                                       const GLchar *message, const void *user)
 {
     (void)source, (void)id, (void)severity, (void)length, (void)user;
     if (type == GL_DEBUG_TYPE_ERROR) {
@@ -100,8 +99,7 @@ static _Noreturn void stop_on_log(const char *log, const char *const files[])
     die("shader %s%.*s", files[number], length, rest);
 }
 
-static GLuint compile(ShaderFiles where, GLenum type,
-                      const char *const files[])
+static GLuint compile(ShaderFiles where, GLenum type, const char *const files[])
 {
     // Every file gets a line in front that gives the next line's number and
     // the file's own, so that an error can be traced to it.

@@ -28,8 +28,8 @@ static bool write_rows(OIIO::ImageOutput &output, const float *pixels,
 {
     std::ptrdiff_t row = spec.width * spec.nchannels *
                          static_cast<std::ptrdiff_t>(sizeof(float));
-    const float *top = pixels + std::ptrdiff_t(spec.height - 1) * spec.width *
-                                    spec.nchannels;
+    const float *top =
+        pixels + std::ptrdiff_t(spec.height - 1) * spec.width * spec.nchannels;
     return output.write_image(OIIO::TypeDesc::FLOAT, top, OIIO::AutoStride,
                               -row);
 }
@@ -61,8 +61,8 @@ void image_write(const char *path, const float *pixels, int width, int height,
     if (!output) {
         file_give_up(temporary, path, OIIO::geterror().c_str());
     }
-    if (!output->open(temporary, spec) ||
-        !write_rows(*output, pixels, spec) || !output->close()) {
+    if (!output->open(temporary, spec) || !write_rows(*output, pixels, spec) ||
+        !output->close()) {
         file_give_up(temporary, path, output->geterror().c_str());
     }
     file_finish(temporary, path);

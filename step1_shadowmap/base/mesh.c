@@ -56,8 +56,8 @@ static void mesh_add_triangle(Mesh *mesh, size_t a, size_t b, size_t c)
 // row, to triangles. The outside is where (along a row) x (to the next row)
 // points, or the opposite side if the grid is a mirror image: a reflection
 // turns counter-clockwise into clockwise.
-static void mesh_add_grid(Mesh *mesh, size_t first, size_t columns,
-                          size_t rows, bool mirrored)
+static void mesh_add_grid(Mesh *mesh, size_t first, size_t columns, size_t rows,
+                          bool mirrored)
 {
     for (size_t row = 0; row < rows; row++) {
         for (size_t column = 0; column < columns; column++) {

@@ -52,9 +52,10 @@ static void print_help(const char *program, const OptionTable tables[])
     printf("usage: %s [options]\n", program);
     for (const OptionTable *table = tables; table->options; table++) {
         for (const Option *option = table->options; option->name; option++) {
-            const char *argument = option->argument ? option->argument : "";
-            printf("  --%s %s\n      %s", option->name, argument,
-                   option->help);
+            const char *argument = option->argument  ? option->argument
+                                   : option->choices ? option->choices
+                                                     : "";
+            printf("  --%s %s\n      %s", option->name, argument, option->help);
             const char *const *text = value_of(table, option);
             bool no_default = option->kind == OPTION_FLAG ||
                               (option->kind == OPTION_TEXT && *text == NULL);
@@ -199,8 +200,7 @@ static void join_tables(OptionTable tables[], KnownOptions *known)
             }
             bool flag = table->options[i].kind == OPTION_FLAG;
             known->list[count].name = table->options[i].name;
-            known->list[count].has_arg =
-                flag ? no_argument : required_argument;
+            known->list[count].has_arg = flag ? no_argument : required_argument;
             known->table[count] = table;
             known->index[count++] = i;
         }

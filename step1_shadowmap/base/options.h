@@ -27,15 +27,15 @@ typedef struct Option {
     size_t offset; // of the value in the stage's settings
     double minimum, maximum;
     const char *choices;  // "shaded,visibility"
-    const char *argument; // what --help calls the value
+    const char *argument; // what --help calls the value; NULL: the choices
     const char *help;     // one line, with the unit
 } Option;
 
 enum { OPTIONS_MAX = 32 };
 
 typedef struct OptionTable {
-    const Option *options; // ends with a NULL name
-    void *settings;        // holds the defaults before options_parse
+    const Option *options;   // ends with a NULL name
+    void *settings;          // holds the defaults before options_parse
     bool given[OPTIONS_MAX]; // which of them the command line named
 } OptionTable;
 

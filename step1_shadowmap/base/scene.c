@@ -190,8 +190,8 @@ static void build_edge(Scene *scene, const double values[])
     const Mesh *plane = add_mesh(scene, mesh_plane());
     const double centre[2] = {0, 0};
     const double large[2] = {40, 40};
-    Object *ground = add_facing_plane(scene, "floor", plane, 0.9 * range,
-                                      centre, large, 0);
+    Object *ground =
+        add_facing_plane(scene, "floor", plane, 0.9 * range, centre, large, 0);
     set_albedo(ground, 0.62f, 0.60f, 0.57f);
     ground->casts = false;
     const double size[2] = {2, 1.5};
@@ -221,8 +221,8 @@ static void build_bleed(Scene *scene, const double values[])
     const Mesh *plane = add_mesh(scene, mesh_plane());
     const double centre[2] = {0, 0};
     const double large[2] = {40, 40};
-    Object *ground = add_facing_plane(scene, "floor", plane, height, centre,
-                                      large, 0);
+    Object *ground =
+        add_facing_plane(scene, "floor", plane, height, centre, large, 0);
     set_albedo(ground, 0.62f, 0.60f, 0.57f);
     ground->casts = false;
     const double aside[2] = {-0.5, 0};
@@ -242,12 +242,17 @@ static void build_empty(Scene *scene, const double values[])
 }
 
 static const SceneEntry entries[] = {
-    {"teapot", "a teapot on a floor, with a wall and thin bars", build_teapot,
+    {"teapot",
+     "a teapot on a floor, with a wall and thin bars",
+     build_teapot,
      {{0}}},
-    {"edge", "a rectangle above a floor, both perpendicular to the light",
+    {"edge",
+     "a rectangle above a floor, both perpendicular to the light",
      build_edge,
      {{"gap", 1e-7, 0.8, 0.1, "between them, of the depth range"}}},
-    {"bleed", "two occluders above a floor: light bleeding", build_bleed,
+    {"bleed",
+     "two occluders above a floor: light bleeding",
+     build_bleed,
      {{"r", 0.05, 50, 2, "upper gap over lower gap"}}},
     {"empty", "a floor and nothing that casts", build_empty, {{0}}},
 };
@@ -257,8 +262,7 @@ static void list_keys(FILE *file, const Key keys[], int count)
 {
     for (int i = 0; i < count && keys[i].name; i++) {
         fprintf(file, "    %s=%g..%g (default %g)  %s\n", keys[i].name,
-                keys[i].minimum, keys[i].maximum, keys[i].value,
-                keys[i].help);
+                keys[i].minimum, keys[i].maximum, keys[i].value, keys[i].help);
     }
 }
 

@@ -29,9 +29,9 @@ typedef struct Light {
 
 typedef struct Object {
     const char *name;
-    const Mesh *mesh;        // owned by the scene
-    double transform[3][4];  // rows of world_from_object: x' = m[0..2] x + m[3]
-    float albedo[3];         // linear RGB
+    const Mesh *mesh;       // owned by the scene
+    double transform[3][4]; // rows of world_from_object: x' = m[0..2] x + m[3]
+    float albedo[3];        // linear RGB
     bool casts; // false: a promise that nothing lies behind it as the light
                 // sees it. It is drawn into the map (a receiver has to be),
                 // but the map's rectangle is not widened to hold it.

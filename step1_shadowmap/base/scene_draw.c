@@ -79,8 +79,7 @@ SceneDraw scene_draw_create(const BaseSettings *settings,
     return draw;
 }
 
-static void set_uniforms(GLuint program, const Scene *scene,
-                         const Views *views)
+static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
 {
     const Light *light = &scene->light;
     view_set_matrix(program, "clip_from_relative", views->clip_from_relative);
@@ -91,8 +90,7 @@ static void set_uniforms(GLuint program, const Scene *scene,
     glUniform3f(glGetUniformLocation(program, "to_light"),
                 (float)-light->direction[0], (float)-light->direction[1],
                 (float)-light->direction[2]);
-    glUniform3fv(glGetUniformLocation(program, "radiance"), 1,
-                 light->radiance);
+    glUniform3fv(glGetUniformLocation(program, "radiance"), 1, light->radiance);
     glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light->ambient);
 }
 
@@ -124,8 +122,7 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
 
 void scene_draw_write(const SceneDraw *draw, const char *path)
 {
-    float *pixels =
-        gl_read(draw->framebuffer, 0, draw->width, draw->height, 3);
+    float *pixels = gl_read(draw->framebuffer, 0, draw->width, draw->height, 3);
     image_write(path, pixels, draw->width, draw->height, 3);
     free(pixels);
 }
@@ -133,8 +130,8 @@ void scene_draw_write(const SceneDraw *draw, const char *path)
 void scene_draw_dump(const SceneDraw *draw, const char *directory)
 {
     for (int i = 0; i < draw->output_count; i++) {
-        float *pixels = gl_read(draw->framebuffer, i, draw->width,
-                                draw->height, outputs[i].channels);
+        float *pixels = gl_read(draw->framebuffer, i, draw->width, draw->height,
+                                outputs[i].channels);
         dump_image(directory, outputs[i].name, pixels, draw->width,
                    draw->height, outputs[i].channels);
         free(pixels);

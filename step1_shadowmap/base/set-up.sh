@@ -17,7 +17,8 @@ for entry; do
     case ${kind%%:*} in
     command) command -v "$name" >/dev/null && continue ;;
     module) pkg-config --exists "$name" 2>/dev/null && continue ;;
-    header) [ -e "$name" ] && continue ;;
+    # shellcheck disable=SC2086 # may be a pattern
+    header) ls $name >/dev/null 2>&1 && continue ;;
     esac
     missing="$missing $package"
 done

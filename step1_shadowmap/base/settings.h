@@ -14,7 +14,7 @@ typedef struct BaseSettings {
     int map_size[2]; // of the shadow map, texels
     const char *output;
     const char *show;
-    const char *dump; // directory, or NULL
+    const char *dump;    // directory, or NULL
     const char *shaders; // directory, or NULL
     const char *context;
 } BaseSettings;

@@ -23,8 +23,8 @@ static void vertex_relative(const Object *object, const double origin[3],
     }
 }
 
-static void frame_coordinates(const LightFrame *frame,
-                              const double position[3], double result[3])
+static void frame_coordinates(const LightFrame *frame, const double position[3],
+                              double result[3])
 {
     for (int axis = 0; axis < 3; axis++) {
         result[axis] = dvec_dot(frame->axes[axis], position);

@@ -16,7 +16,7 @@ enum { VIEW_MAX_LAYERS = 8 };
 // depth along the light, linear from near to far.
 typedef struct LightView {
     double map_from_relative[4][4]; // rows; the last one is 0 0 0 1
-    double near, far; // dot(direction, p - anchor), world units
+    double near, far;               // dot(direction, p - anchor), world units
 } LightView;
 
 typedef struct Views {
@@ -25,7 +25,7 @@ typedef struct Views {
     LightView light[VIEW_MAX_LAYERS];
     int layers;
     int width, height; // of the map, texels
-    int border; // texels at each edge that no caster reaches
+    int border;        // texels at each edge that no caster reaches
 } Views;
 
 // Fits the views to the scene. `picture` and `map` are sizes in pixels and

@@ -1,0 +1,16 @@
+#!/bin/sh
+# Every C file through both compilers with every warning an error; the shell
+# scripts through theirs. Run by `make lint`, after the set-up.
+set -eu
+flags="-I. -Ibuild/glad/include -DSHADER_ROOT=\"\" -fsyntax-only -Werror
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion"
+packages=$(pkg-config --cflags-only-I osmesa cglm | sed 's/-I/-isystem /g')
+for compiler in gcc clang; do
+    for file in $(git ls-files '*.c'); do
+        # shellcheck disable=SC2086 # lists of words
+        $compiler -std=c11 $flags $packages "$file"
+    done
+done
+# shellcheck disable=SC2046 # a list of names
+shellcheck $(git ls-files '*.sh') .ci/run
+echo 'lint: nothing to report'
