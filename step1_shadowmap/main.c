@@ -72,6 +72,9 @@ static void write_files(void)
         dump_run(state.base.dump, &run);
     }
     scene_draw_write(&state.picture, state.base.output);
+    if (state.base.bench > 0) {
+        stopwatch_print(&state.stopwatch);
+    }
 }
 
 static void destroy(void)
@@ -87,7 +90,9 @@ int main(int argc, char **argv)
 {
     read_settings(argc, argv);
     create();
-    draw_frame();
+    for (int i = 0; i < base_frames(&state.base); i++) {
+        draw_frame();
+    }
     write_files();
     destroy();
     return 0;

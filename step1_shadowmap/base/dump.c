@@ -63,9 +63,9 @@ static void write_views(FILE *file, const Views *views)
 static void write_passes(FILE *file, const Stopwatch *stopwatch)
 {
     fputs("  \"passes\": [", file);
-    for (int i = 0; i < stopwatch->count; i++) {
+    for (int i = 0; i < stopwatch->passes; i++) {
         fprintf(file, "%s{\"name\": \"%s\", \"ms\": %.6g}", i ? ", " : "",
-                stopwatch->name[i], stopwatch->milliseconds[i]);
+                stopwatch->name[i], stopwatch_last(stopwatch, i));
     }
     fputs("]\n", file);
 }

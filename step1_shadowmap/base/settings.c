@@ -4,10 +4,11 @@
 #include <stdlib.h> // exit
 #include <string.h> // strrchr
 
-#include "step1_shadowmap/base/die.h"   // die_usage
-#include "step1_shadowmap/base/file.h"  // file_make_directory
-#include "step1_shadowmap/base/image.h" // image_name_is_known
-#include "step1_shadowmap/base/scene.h" // scene_list
+#include "step1_shadowmap/base/die.h"       // die_usage
+#include "step1_shadowmap/base/file.h"      // file_make_directory
+#include "step1_shadowmap/base/image.h"     // image_name_is_known
+#include "step1_shadowmap/base/scene.h"     // scene_list
+#include "step1_shadowmap/base/stopwatch.h" // STOPWATCH_MAX_FRAMES
 
 enum { MAX_SIDE = 32768 };
 
@@ -60,6 +61,13 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, context),
      .choices = "osmesa",
      .help = "where OpenGL draws without a window"},
+    {.name = "bench",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BaseSettings, bench),
+     .minimum = 0,
+     .maximum = STOPWATCH_MAX_FRAMES - STOPWATCH_WARM_UP,
+     .argument = "N",
+     .help = "time N frames after a warm-up; prints a line per pass, as CSV"},
     {0},
 };
 
@@ -94,6 +102,11 @@ void base_settings_check(const BaseSettings *settings,
                  (int)(slash - settings->output), settings->output);
         file_make_directory(directory);
     }
+}
+
+int base_frames(const BaseSettings *settings)
+{
+    return settings->bench > 0 ? settings->bench + STOPWATCH_WARM_UP : 1;
 }
 
 ShaderFiles base_shader_files(const BaseSettings *settings)

@@ -17,6 +17,7 @@ typedef struct BaseSettings {
     const char *dump;    // directory, or NULL
     const char *shaders; // directory, or NULL
     const char *context;
+    int bench; // frames to time, or 0
 } BaseSettings;
 
 extern const Option base_options[];
@@ -29,6 +30,9 @@ BaseSettings base_settings(const char *output);
 // and of --dump. To be called after options_parse.
 void base_settings_check(const BaseSettings *settings,
                          const OptionTable tables[]);
+
+// How many frames to draw: one, or those to time and the warm-up before them.
+int base_frames(const BaseSettings *settings);
 
 ShaderFiles base_shader_files(const BaseSettings *settings);
 

@@ -3,9 +3,11 @@
 #include "step1_shadowmap/base/stopwatch.h"
 
 #include <glad/gl.h> // glFinish
+#include <stdio.h>   // printf
+#include <stdlib.h>  // free, qsort
 #include <time.h>    // clock_gettime
 
-#include "step1_shadowmap/base/die.h" // die
+#include "step1_shadowmap/base/die.h" // allocate, die
 
 static double now(void)
 {
@@ -17,19 +19,71 @@ static double now(void)
 void stopwatch_start(Stopwatch *stopwatch)
 {
     glFinish();
-    stopwatch->count = 0;
+    stopwatch->pass = 0;
+    if (stopwatch->frames < STOPWATCH_MAX_FRAMES) {
+        stopwatch->frames++;
+    }
     stopwatch->started = now();
 }
 
 void stopwatch_lap(Stopwatch *stopwatch, const char *name)
 {
     glFinish();
-    if (stopwatch->count == STOPWATCH_MAX_PASSES) {
+    int pass = stopwatch->pass++;
+    if (pass == STOPWATCH_MAX_PASSES) {
         die("more than %d passes to time", STOPWATCH_MAX_PASSES);
     }
     double time = now();
-    stopwatch->name[stopwatch->count] = name;
-    stopwatch->milliseconds[stopwatch->count] = time - stopwatch->started;
-    stopwatch->count++;
+    stopwatch->name[pass] = name;
+    stopwatch->milliseconds[pass][stopwatch->frames - 1] =
+        time - stopwatch->started;
+    stopwatch->passes = stopwatch->pass;
     stopwatch->started = time;
+}
+
+double stopwatch_last(const Stopwatch *stopwatch, int pass)
+{
+    return stopwatch->milliseconds[pass][stopwatch->frames - 1];
+}
+
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a;
+    double y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+// The value below which `part` of the sorted samples lie, interpolated.
+static double quantile(const double *sorted, int count, double part)
+{
+    double place = part * (count - 1);
+    int index = (int)place;
+    int next = index + 1 < count ? index + 1 : index;
+    return sorted[index] + (place - index) * (sorted[next] - sorted[index]);
+}
+
+static void print_line(const char *name, double *samples, int count)
+{
+    qsort(samples, (size_t)count, sizeof *samples, compare);
+    printf("%s,%.4f,%.4f,%.4f,%d,glFinish+CLOCK_MONOTONIC\n", name,
+           quantile(samples, count, 0.5), quantile(samples, count, 0.25),
+           quantile(samples, count, 0.75), count);
+}
+
+void stopwatch_print(const Stopwatch *stopwatch)
+{
+    int count = stopwatch->frames - STOPWATCH_WARM_UP;
+    double *samples = allocate((size_t)count, sizeof *samples);
+    double *total = allocate((size_t)count, sizeof *total);
+    puts("pass,median_ms,quartile1_ms,quartile3_ms,frames,clock");
+    for (int pass = 0; pass < stopwatch->passes; pass++) {
+        for (int i = 0; i < count; i++) {
+            samples[i] = stopwatch->milliseconds[pass][i + STOPWATCH_WARM_UP];
+            total[i] += samples[i];
+        }
+        print_line(stopwatch->name[pass], samples, count);
+    }
+    print_line("total", total, count);
+    free(total);
+    free(samples);
 }

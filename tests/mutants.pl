@@ -1,0 +1,157 @@
+#!/usr/bin/perl
+# Plants one mistake at a time in a shader and demands that a step's tests
+# fail. The tests compare with formulas, closed forms and ray casting: none of
+# them knows the committed pictures. usage: mutants.pl [NAME...]
+use strict;
+use warnings;
+use File::Basename qw(dirname);
+use File::Path qw(make_path);
+use File::Temp qw(tempdir);
+use TAP::Harness;
+
+# name => [step whose tests must fail, shader, what stands there, the mistake]
+my %mutants = (
+    'every tap reads the same texel' => [
+        2, 'step2_pcf/shaders/pcf.glsl',
+        'middle + ivec2(x, y)',
+        'middle + 0 * ivec2(x, y)'
+    ],
+    'a comparison the wrong way round' => [
+        1, 'step1_shadowmap/shaders/hard.glsl',
+        '- bias <= occluder', '- bias >= occluder'
+    ],
+    'a bias of the wrong sign' => [
+        1, 'step1_shadowmap/shaders/hard.glsl',
+        'depth - bias', 'depth + bias'
+    ],
+    'half a texel off' => [
+        1, 'step1_shadowmap/shaders/hard.glsl',
+        'ivec2(receiver.uv * vec2(size))',
+        'ivec2(receiver.uv * vec2(size) + 0.5)'
+    ],
+    'the picture upside down' => [
+        1, 'step1_shadowmap/shaders/scene.vert',
+        'clip_from_relative * relative;',
+        'clip_from_relative * relative; gl_Position.y = -gl_Position.y;'
+    ],
+    'the map upside down' => [
+        1, 'step1_shadowmap/shaders/map.vert',
+        'vec4(2.0 * map_position - 1.0, 1.0)',
+        'vec4(2.0 * map_position - 1.0, 1.0) * vec4(1, -1, 1, 1)'
+    ],
+    'visible although it faces away' => [
+        1, 'step1_shadowmap/shaders/scene.frag',
+        'facing > 0.0 ? 1.0 : 0.0', '1.0'
+    ],
+    'half the slope bias' => [
+        2, 'step1_shadowmap/shaders/bias.glsl',
+        '0.5 * float(kernel + 1)', '0.25 * float(kernel + 1)'
+    ],
+    'one tap row forgotten' => [
+        2, 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
+    ],
+    'both moments scaled' => [
+        3, 'step3_moments/shaders/moments.frag',
+        'vec2(depth, depth * depth)',
+        '0.5 * vec2(depth, depth * depth)'
+    ],
+    'M2 is not the square' => [
+        3, 'step3_moments/shaders/moments.frag',
+        'depth * depth', 'depth'
+    ],
+    'compared with M2' =>
+      [ 3, 'step3_moments/shaders/mean.glsl', 'moments.x', 'moments.y' ],
+    'only one axis blurred' => [
+        4, 'step4_blur/shaders/blur.frag',
+        'i * axis', 'i * ivec2(axis.x, 0)'
+    ],
+    'a kernel that is not normalised' => [
+        4, 'step4_blur/shaders/blur.frag',
+        'weight * map_texel', '1.01 * weight * map_texel'
+    ],
+    'half a texel off while downsampling' => [
+        4, 'step4_blur/shaders/downsample.frag',
+        'factor;', 'factor + 1;'
+    ],
+    'M2 from the blurred mean' => [
+        4, 'step4_blur/shaders/blur.frag',
+        "texelFetch(weights, ivec2(i + radius, 0), 0).r;\n"
+          . "        moments += weight * map_texel(middle + i * axis);\n    }",
+        "texelFetch(weights, ivec2(i + radius, 0), 0).r;\n"
+          . "        moments += weight * map_texel(middle + i * axis);\n    }\n"
+          . '    moments.y = moments.x * moments.x;'
+    ],
+    'what is outside the map is near' => [
+        4, 'step4_blur/shaders/map_texel.glsl', 'vec2(1.0)', 'vec2(0.0)'
+    ],
+    'no least variance' => [
+        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'max(moments.y - moments.x * moments.x, least)',
+        '(moments.y - moments.x * moments.x)'
+    ],
+    'lit is not told from shadowed' => [
+        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'behind > 0.0 ? p_max : 1.0', 'p_max'
+    ],
+    'the bound turned round' => [
+        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'behind > 0.0 ? p_max : 1.0',
+        'behind < 0.0 ? p_max : 1.0'
+    ],
+    'a distance that is not squared' => [
+        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'behind * behind', 'abs(behind)'
+    ],
+    'reduction without the clamp' => [
+        5,
+        'step5_chebyshev/shaders/chebyshev.glsl',
+        "clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0,\n"
+          . '                 1.0)',
+        '(p_max - bleed_reduction) / (1.0 - bleed_reduction)'
+    ],
+);
+
+sub read_file {
+    my ($path) = @_;
+    open my $file, '<', $path or die "cannot read $path: $!\n";
+    local $/;
+    return <$file>;
+}
+
+# A folder that holds only the shader with the mistake in it.
+sub plant {
+    my ( $shader, $from, $to ) = @_;
+    my $text  = read_file($shader);
+    my $place = index $text, $from;
+    $place >= 0 or die "$shader does not hold '$from' any more\n";
+    substr( $text, $place, length $from ) = $to;
+    my $folder = tempdir( CLEANUP => 1 );
+    make_path( dirname("$folder/$shader") );
+    open my $file, '>', "$folder/$shader" or die "cannot write: $!\n";
+    print {$file} $text;
+    close $file or die "cannot write: $!\n";
+    return $folder;
+}
+
+# The first test that fails with these shaders, or nothing.
+sub first_failure {
+    my ( $step, $folder ) = @_;
+    local $ENV{VSM_SHADERS} = $folder;
+    my $output = qx(perl -Itests/lib tests/images/step$step.t 2>/dev/null);
+    return $1 if $output =~ /^not ok \d+ - (.*)$/m;
+    return $? ? 'the program itself failed' : undef;
+}
+
+my @names = @ARGV ? @ARGV : sort keys %mutants;
+my ( $caught, $survived ) = ( 0, 0 );
+for my $name (@names) {
+    my $mutant = $mutants{$name} or die "there is no mutant '$name'\n";
+    my ( $step, @change ) = @$mutant;
+    my $failure = first_failure( $step, plant(@change) );
+    if ( defined $failure ) { $caught++ }
+    else                    { $survived++ }
+    printf "%-8s %s: step %d, %s\n", $failure ? 'caught' : 'SURVIVED',
+      $name, $step, $failure // 'no test failed';
+}
+print "$caught caught, $survived survived\n";
+exit( $survived ? 1 : 0 );
