@@ -37,9 +37,9 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
-    static const char *const visibility[] = {
-        "step1_shadowmap/shaders/bias.glsl", "step2_pcf/shaders/pcf.glsl",
-        NULL};
+    const char *const visibility[] = {"step1_shadowmap/shaders/bias.glsl",
+                                      "step2_pcf/shaders/map_depth.glsl",
+                                      pcf_shader(&state.pcf), NULL};
     scene_create(&state.scene, state.base.scene);
     state.context = context_create();
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,

@@ -8,12 +8,22 @@ const Option pcf_options[] = {
      .maximum = 255,
      .argument = "N",
      .help = "filter width in texels of the map, N x N comparisons"},
+    {.name = "bilinear",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(PcfSettings, bilinear),
+     .help = "each comparison a weighted mean of 2 x 2, without steps"},
     {0},
 };
 
 PcfSettings pcf_settings(void)
 {
     return (PcfSettings){.kernel = 7};
+}
+
+const char *pcf_shader(const PcfSettings *settings)
+{
+    return settings->bilinear ? "step2_pcf/shaders/pcf_bilinear.glsl"
+                              : "step2_pcf/shaders/pcf.glsl";
 }
 
 int pcf_reach(const PcfSettings *settings)

@@ -1,11 +1,13 @@
 #include "step3_moments/moments.h"
 
+#include <string.h> // strcmp
+
 const Option moments_options[] = {
     {.name = "format",
      .kind = OPTION_CHOICE,
      .offset = offsetof(MomentsSettings, format),
-     .choices = "rg32f",
-     .help = "what the two moments are stored in"},
+     .choices = "rg32f,rg16f",
+     .help = "what the two moments are stored in: 32 or 16 bit floats"},
     {0},
 };
 
@@ -16,8 +18,7 @@ MomentsSettings moments_settings(void)
 
 GLenum moments_format(const MomentsSettings *settings)
 {
-    (void)settings;
-    return GL_RG32F;
+    return strcmp(settings->format, "rg16f") == 0 ? GL_RG16F : GL_RG32F;
 }
 
 ShadowMap moments_create(ShaderFiles files, const Views *views,

@@ -1,16 +1,20 @@
 #include "step4_blur/blur.h"
 
+#include <math.h>   // exp
 #include <stdlib.h> // free
 #include <string.h> // strcmp
 
 #include "step1_shadowmap/base/die.h" // allocate, die_usage
 
+// The published filter of 7 taps.
+enum { BINOMIAL_RADIUS = 3 };
+
 const Option blur_options[] = {
     {.name = "blur",
      .kind = OPTION_CHOICE,
      .offset = offsetof(BlurSettings, kernel),
-     .choices = "none,box",
-     .help = "the filter's kernel"},
+     .choices = "none,box,gaussian,binomial",
+     .help = "the filter's kernel; the binomial one is 7 texels wide"},
     {.name = "radius",
      .kind = OPTION_INTEGER,
      .offset = offsetof(BlurSettings, radius),
@@ -46,6 +50,12 @@ void blur_settings_check(const BlurSettings *settings, const int map_size[2],
         die_usage("--radius %d contradicts --blur none: drop one of them",
                   settings->radius);
     }
+    if (strcmp(settings->kernel, "binomial") == 0 &&
+        settings->radius != BINOMIAL_RADIUS) {
+        die_usage("--radius %d contradicts --blur binomial, whose radius is "
+                  "%d: drop one of them",
+                  settings->radius, BINOMIAL_RADIUS);
+    }
     for (int axis = 0; axis < 2; axis++) {
         int side = map_size[axis] / settings->downsample;
         if (map_size[axis] % settings->downsample != 0) {
@@ -77,14 +87,37 @@ static BlurTarget create_target(const Blur *blur, GLenum format)
     return target;
 }
 
-// The kernel along one axis; its weights add up to 1.
-static GLuint create_weights(int radius)
+static double kernel_weight(const char *name, int radius, int offset)
 {
-    int width = 2 * radius + 1;
-    float *weights = allocate((size_t)width, sizeof *weights);
-    for (int i = 0; i < width; i++) {
-        weights[i] = 1.0f / (float)width;
+    double weight = 1; // box
+    if (strcmp(name, "gaussian") == 0) {
+        double deviation = radius / 3.0;
+        weight = exp(-0.5 * offset * offset / (deviation * deviation));
+    } else if (strcmp(name, "binomial") == 0) {
+        // 2 radius over (radius + offset), as a product.
+        for (int i = 1; i <= radius + offset; i++) {
+            weight *= (double)(2 * radius + 1 - i) / i;
+        }
     }
+    return weight;
+}
+
+void blur_weights(const char *name, int radius, float weights[])
+{
+    double sum = 0;
+    for (int i = -radius; i <= radius; i++) {
+        sum += kernel_weight(name, radius, i);
+    }
+    for (int i = -radius; i <= radius; i++) {
+        weights[i + radius] = (float)(kernel_weight(name, radius, i) / sum);
+    }
+}
+
+static GLuint create_weights(const BlurSettings *settings)
+{
+    int width = 2 * settings->radius + 1;
+    float *weights = allocate((size_t)width, sizeof *weights);
+    blur_weights(settings->kernel, settings->radius, weights);
     GLuint texture = gl_texture(GL_R32F, width, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, 1, GL_RED, GL_FLOAT,
                     weights);
@@ -117,7 +150,7 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
     if (blur.radius > 0) {
         blur.blur_program =
             create_program(files, "step4_blur/shaders/blur.frag");
-        blur.weights = create_weights(blur.radius);
+        blur.weights = create_weights(settings);
         blur.horizontal = create_target(&blur, format);
         blur.vertical = create_target(&blur, format);
     }

@@ -6,7 +6,7 @@
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
 
 typedef struct BlurSettings {
-    const char *kernel; // none or box
+    const char *kernel; // none, box, gaussian or binomial
     int radius;         // texels of the downsampled map
     int downsample;     // factor along each axis
 } BlurSettings;
@@ -14,6 +14,12 @@ typedef struct BlurSettings {
 extern const Option blur_options[];
 
 BlurSettings blur_settings(void);
+
+// The weights of the kernel along one axis, 2 radius + 1 of them, which add up
+// to 1 up to rounding. `name` is box (all equal), gaussian (standard deviation
+// radius / 3, cut at the radius) or binomial (row 2 radius of Pascal's
+// triangle; for radius 3 it is 1 6 15 20 15 6 1, over 64).
+void blur_weights(const char *name, int radius, float weights[]);
 
 // Refuses (status 2) a radius that contradicts the kernel or is wider than
 // the map, and a factor that does not divide the map.

@@ -34,6 +34,8 @@ static double unit_roundoff(GLenum format)
     switch (format) {
     case GL_RG32F:
         return 0x1p-24;
+    case GL_RG16F:
+        return 0x1p-11;
     default:
         die("no unit roundoff for the format 0x%x", format);
     }

@@ -2,6 +2,7 @@
 use strict;
 use warnings;
 use Test::More;
+use Same;
 use VSM;
 
 my @small = qw(--size 320x180 --map-size 256);

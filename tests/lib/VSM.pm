@@ -1,0 +1,188 @@
+# What the tests share: running the programs, the oracle and other commands,
+# and turning what happened into TAP. Core modules only.
+#
+# VSM_SHADERS=DIR  every program looks for its shaders there first; how
+#                  `make mutants` plants its mistakes
+# VSM_SLOW=1       ten times the time limit, for builds with a sanitizer
+package VSM;
+
+use strict;
+use warnings;
+
+use Cwd qw(abs_path);
+use Digest::SHA qw(sha1_hex);
+use Exporter qw(import);
+use File::Basename qw(basename dirname);
+use File::Find qw(find);
+use File::Glob qw(bsd_glob);
+use File::Path qw(make_path remove_tree);
+use File::Spec;
+use File::Temp;
+use POSIX ();
+use Test::More;
+
+our @EXPORT = qw(root program_name program command run dump_run oracle
+  slurp spew everything_below png_size stops);
+
+# Made absolute at once: a test may change its working directory.
+my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
+my $SHADERS = $ENV{VSM_SHADERS} && File::Spec->rel2abs( $ENV{VSM_SHADERS} );
+my $SECONDS = $ENV{VSM_SLOW} ? 600 : 60;
+
+my %dumps;    # folder by step and arguments
+
+sub root { return $ROOT }
+
+# "step3_moments" for 3.
+sub program_name {
+    my ($step) = @_;
+    my ($folder) = bsd_glob("$ROOT/step${step}_*")
+      or die "there is no step $step\n";
+    return basename($folder);
+}
+
+sub program { return "$ROOT/build/" . program_name(@_) }
+
+# Runs a command without a shell, with nothing to read and a time limit.
+# Returns {status, signal, out, err}; running out of time is signal 14.
+sub command {
+    my @words = @_;
+    my $out   = File::Temp->new;
+    my $err   = File::Temp->new;
+    my $child = fork // die "cannot fork: $!\n";
+    if ( $child == 0 ) {
+        open STDIN,  '<',  '/dev/null';
+        open STDOUT, '>&', $out;
+        open STDERR, '>&', $err;
+        alarm $SECONDS;    # goes on across exec
+        exec { $words[0] } @words;
+        print STDERR "cannot run $words[0]: $!\n";
+        POSIX::_exit(127);    # not exit: the END blocks are the parent's
+    }
+    waitpid $child, 0;
+    return {
+        status => $? >> 8,
+        signal => $? & 127,
+        out    => slurp( $out->filename ),
+        err    => slurp( $err->filename ),
+    };
+}
+
+# Runs a step's program. A --shaders among the arguments comes later and wins.
+sub run {
+    my ( $step, @arguments ) = @_;
+    my @shaders = $SHADERS ? ( '--shaders', $SHADERS ) : ();
+    return command( program($step), @shaders, @arguments );
+}
+
+# The folder with the --dump of a run, its picture as picture.exr among it.
+# The same run is made once for a test file; the folder is kept for a look
+# when a test in the file has failed.
+sub dump_run {
+    my ( $step, @arguments ) = @_;
+    my $key = sha1_hex( join "\0", basename($0), $SHADERS // '', $step,
+        @arguments );
+    return $dumps{$key} if $dumps{$key};
+    my $folder = "$ROOT/build/test/$key";
+    remove_tree($folder);    # an earlier program's files prove nothing
+    make_path($folder);
+    my $run = run( $step, @arguments, '--dump', $folder, '--output',
+        "$folder/picture.exr" );
+    die "$run->{err}step $step @arguments: exit status $run->{status}, "
+      . "signal $run->{signal}\n"
+      if $run->{status} || $run->{signal};
+    return $dumps{$key} = $folder;
+}
+
+END {
+    local $?;                # the exit status belongs to Test::More
+    if ( Test::More->builder->is_passing || $SHADERS ) {
+        remove_tree($_) for values %dumps;
+    }
+    elsif (%dumps) {
+        diag("kept for a look: $_") for sort values %dumps;
+    }
+}
+
+# Asks the oracle about a dump: one test for each line of its answer. Returns
+# whether all passed.
+sub oracle {
+    my ( $check, $folder, @arguments ) = @_;
+    my $run = command( "$ROOT/build/oracle", $check, $folder, @arguments );
+    my ( $lines, $passed ) = ( 0, 1 );
+    for ( split /\n/, $run->{out} ) {
+        my ( $verdict, $text ) = /^(PASS|FAIL) (.*)/ or next;
+        $lines++;
+        $passed &= ok( $verdict eq 'PASS', "$check: $text" );
+    }
+    return $passed if $lines && $run->{status} < 2 && !$run->{signal};
+    fail("$check: the oracle answers");
+    diag( "@arguments: exit status $run->{status}, signal $run->{signal}, "
+          . "$lines lines\n$run->{err}" );
+    return 0;
+}
+
+sub slurp {
+    my ($path) = @_;
+    open my $file, '<:raw', $path or die "cannot read $path: $!\n";
+    local $/;
+    return <$file> // '';
+}
+
+# Writes a file, and the folders above it.
+sub spew {
+    my ( $path, $text ) = @_;
+    make_path( dirname($path) );
+    open my $file, '>:raw', $path or die "cannot write $path: $!\n";
+    print $file $text;
+    close $file or die "cannot write $path: $!\n";
+    return;
+}
+
+# Every file and folder below a folder, sorted, as paths from there.
+sub everything_below {
+    my ($folder) = @_;
+    my @paths;
+    my $note = sub {
+        push @paths, File::Spec->abs2rel( $_, $folder ) if $_ ne $folder;
+    };
+    find( { wanted => $note, no_chdir => 1 }, $folder );
+    return sort @paths;
+}
+
+# "160x90", or "" for what is no PNG. Width and height follow the signature
+# and the name of the first chunk.
+sub png_size {
+    my ($bytes) = @_;
+    my ( $start, $wide, $high ) = unpack 'a16 N N', $bytes;
+    return defined $high && $start =~ /^\x89PNG\r\n.*IHDR$/s
+      ? "${wide}x$high"
+      : '';
+}
+
+# One test: the code runs something that has to stop with this exit status,
+# with exactly one line on stderr which matches every pattern, and without
+# leaving anything new in the working directory.
+#     stops { run( 1, '--size', 0 ) } 2, [qr/--size/], 'no empty picture';
+sub stops(&$$$) {
+    my ( $code, $status, $patterns, $name ) = @_;
+    my %before = map { $_ => 1 } everything_below('.');
+    my $run    = $code->();
+    my @new    = grep { !$before{$_} } everything_below('.');
+
+    my @wrong;
+    push @wrong, "killed by signal $run->{signal}" if $run->{signal};
+    push @wrong, "exit status $run->{status}, not $status"
+      if $run->{status} != $status;
+    push @wrong, 'not one line on stderr' if $run->{err} !~ /\A[^\n]+\n\z/;
+    push @wrong, map { "does not match $_" }
+      grep { $run->{err} !~ $_ } @$patterns;
+    push @wrong, "left behind: @new" if @new;
+
+    remove_tree(@new) if @new;    # the next test starts afresh
+    ok( !@wrong, $name ) and return 1;
+    diag( join "\n", @wrong, "stderr: $run->{err}" );
+    return 0;
+}
+
+1;

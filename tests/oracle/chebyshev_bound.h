@@ -1,0 +1,29 @@
+// Step 5's formula over intervals.
+#ifndef ORACLE_CHEBYSHEV_BOUND_H
+#define ORACLE_CHEBYSHEV_BOUND_H
+
+#include "tests/oracle/dump.h"
+#include "tests/oracle/interval.h"
+
+// Every visibility that 32-bit arithmetic may make of moments m1 and m2 and a
+// receiver at depth t: Cantelli's p_max with the minimum variance and the
+// light-bleeding reduction of the settings.
+Interval chebyshev(Interval m1, Interval m2, Interval t,
+                   const Settings &settings);
+
+// The same without rounding; minimum variance included.
+double chebyshev_exact(double m1, double m2, double t,
+                       const Settings &settings);
+
+// The relative error of the blurred moments against the exact weighted sum of
+// the map's: f^2 + 1 operations for the mean of f x f texels, n + 1 for a row
+// of the box and as many for a column (n products, n - 1 sums, the rounded
+// weight). All terms are positive, so it is relative. 0 where nothing is done.
+double blur_share(const Settings &settings);
+
+// A bilinear lookup's error as a share of the largest of the four texels: two
+// nested interpolations a + w (b - a) (difference, product, sum: 3 each), or
+// four products with rounded weights, which is no more.
+constexpr int LOOKUP_ROUNDINGS = 6;
+
+#endif

@@ -1,0 +1,154 @@
+#include "tests/oracle/dump.h"
+
+#include <cstdio> // sscanf
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/oracle/report.h"
+
+using nlohmann::json;
+
+static glm::dvec4 row_of(const json &numbers) {
+    return {numbers.at(0).get<double>(), numbers.at(1).get<double>(),
+            numbers.at(2).get<double>(), numbers.at(3).get<double>()};
+}
+
+static MapView view_of(const json &entry) {
+    MapView view;
+    for (size_t i = 0; i < 3; i++)
+        view.rows[i] = row_of(entry.at("map_from_relative").at(i));
+    view.near = entry.at("near").get<double>();
+    view.far = entry.at("far").get<double>();
+    view.width = entry.at("width").get<int>();
+    view.height = entry.at("height").get<int>();
+    view.border = entry.at("border").get<double>();
+    return view;
+}
+
+static void read_blur(const json &options, Settings &settings) {
+    settings.downsample = options.at("downsample").get<int>();
+    settings.radius = options.at("radius").get<int>();
+    std::string blur = options.at("blur").get<std::string>();
+    if (blur == "none")
+        settings.radius = 0;
+    else if (blur != "box")
+        throw BadInput("the oracle knows no blur '" + blur + "'");
+}
+
+static Settings settings_of(const json &options, int step) {
+    Settings settings;
+    if (step <= 4) {
+        settings.bias = options.at("bias").get<double>();
+        settings.slope_bias = options.at("slope-bias").get<double>();
+    }
+    if (step == 2)
+        settings.kernel = options.at("kernel").get<int>();
+    if (step >= 4)
+        read_blur(options, settings);
+    if (step == 5) {
+        const json &floor = options.at("min-variance");
+        settings.auto_variance = floor.is_string();
+        if (floor.is_number())
+            settings.min_variance = floor.get<double>();
+        settings.bleed_reduction = options.at("bleed-reduction").get<double>();
+    }
+    return settings;
+}
+
+static void read_size(const json &options, Run &run) {
+    const std::string &text = options.at("size").get_ref<const std::string &>();
+    if (std::sscanf(text.c_str(), "%dx%d", &run.width, &run.height) != 2)
+        throw BadInput("run.json: size '" + text + "' is not WxH");
+}
+
+static Run run_of(const json &root) {
+    Run run;
+    run.step = root.at("step").get<int>();
+    run.scene = root.at("scene").get<std::string>();
+    run.settings = settings_of(root.at("options"), run.step);
+    read_size(root.at("options"), run);
+    const json &origin = root.at("origin");
+    for (int i = 0; i < 3; i++)
+        run.origin[i] = origin.at(size_t(i)).get<double>();
+    for (size_t i = 0; i < 4; i++)
+        run.clip_from_relative[i] =
+            row_of(root.at("clip_from_relative").at(i));
+    for (const json &entry : root.at("views"))
+        run.views.push_back(view_of(entry));
+    return run;
+}
+
+Run load_run(const std::string &folder) {
+    std::string path = folder + "/run.json";
+    std::ifstream file(path);
+    if (!file)
+        throw BadInput(path + ": cannot be read");
+    try {
+        Run run = run_of(json::parse(file));
+        run.folder = folder;
+        return run;
+    } catch (const json::exception &error) {
+        throw BadInput(path + ": " + error.what());
+    }
+}
+
+Picture load_file(const Run &run, const std::string &name, int width,
+                  int height, int channels) {
+    std::string path = run.folder + "/" + name;
+    Picture picture = load_picture(path);
+    if (picture.width != width || picture.height != height ||
+        picture.channels != channels) {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      ": is %d x %d with %d channels, not %d x %d with %d",
+                      picture.width, picture.height, picture.channels, width,
+                      height, channels);
+        throw BadInput(path + text);
+    }
+    return picture;
+}
+
+Picture load_map(const Run &run, int layer) {
+    const MapView &view = run.views[size_t(layer)];
+    bool moments = run.step >= 3;
+    std::string name = moments ? "moments." : "depth.";
+    return load_file(run, name + std::to_string(layer) + ".exr", view.width,
+                     view.height, moments ? 2 : 1);
+}
+
+Picture load_filtered(const Run &run, int layer) {
+    if (run.step < 4)
+        return load_map(run, layer);
+    const MapView &view = run.views[size_t(layer)];
+    int factor = run.settings.downsample;
+    return load_file(run, "blurred." + std::to_string(layer) + ".exr",
+                     view.width / factor, view.height / factor, 2);
+}
+
+Receivers::Receivers(const Run &run)
+    : receiver_(load_file(run, "receiver.exr", run.width, run.height, 4)),
+      position_(load_file(run, "position.exr", run.width, run.height, 3)),
+      normal_(load_file(run, "normal.exr", run.width, run.height, 3)),
+      visibility_(load_file(run, "visibility.exr", run.width, run.height, 1)),
+      layers_(int(run.views.size())) {}
+
+static glm::dvec3 vector_at(const Picture &picture, int x, int y) {
+    return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
+}
+
+Receiver Receivers::at(int x, int y) const {
+    Receiver r;
+    glm::dvec3 map = vector_at(receiver_, x, y);
+    float layer = receiver_.at(x, y, 3);
+    r.shown = layer != -1;
+    if (r.shown && !(layer >= 0 && layer < float(layers_)))
+        throw BadInput("receiver.exr: a layer that run.json does not have");
+    r.layer = r.shown ? int(layer) : -1;
+    r.u = map.x;
+    r.v = map.y;
+    r.t = map.z;
+    r.position = vector_at(position_, x, y);
+    r.normal = vector_at(normal_, x, y);
+    r.visibility = visibility_.at(x, y);
+    return r;
+}

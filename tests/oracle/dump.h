@@ -1,0 +1,80 @@
+// What a program wrote with --dump: run.json and its pictures. Only the files;
+// nothing here knows a formula.
+#ifndef ORACLE_DUMP_H
+#define ORACLE_DUMP_H
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/oracle/picture.h"
+
+// One layer of the shadow map.
+struct MapView {
+    // Rows U, V, T of map_from_relative: u = dot(U.xyz, p) + U.w, and so on.
+    std::array<glm::dvec4, 3> rows;
+    double near, far; // world units from the plane through the light's anchor
+    int width, height; // texels
+    double border;     // texels
+};
+
+// The settings that a check needs; what a step does not have keeps the value
+// that means "not done".
+struct Settings {
+    double bias = 0;        // of the depth range
+    double slope_bias = 0;  // of half a kernel's depth change
+    int kernel = 1;         // texels
+    int radius = 0;         // texels of the downsampled map
+    int downsample = 1;     // map texels per downsampled texel, along an axis
+    bool auto_variance = true;
+    double min_variance = 0; // used when not auto_variance
+    double bleed_reduction = 0;
+};
+
+struct Run {
+    std::string folder;
+    int step;
+    std::string scene; // as scene_create takes it
+    Settings settings;
+    int width, height; // of the picture, pixels
+    glm::dvec3 origin; // world space, the camera's position
+    std::array<glm::dvec4, 4> clip_from_relative; // rows
+    std::vector<MapView> views;                   // one per layer
+};
+
+// Reads DIR/run.json. Throws BadInput when something is missing.
+Run load_run(const std::string &folder);
+
+// Reads DIR/name and insists on its shape. Throws BadInput.
+Picture load_file(const Run &run, const std::string &name, int width,
+                  int height, int channels);
+
+// depth.L.exr (steps 1, 2) or moments.L.exr: channel 0 is the depth in both.
+Picture load_map(const Run &run, int layer);
+
+// blurred.L.exr in steps 4 and 5, moments.L.exr in step 3.
+Picture load_filtered(const Run &run, int layer);
+
+// One pixel of the picture.
+struct Receiver {
+    bool shown;          // an object, not the background
+    int layer;           // of the shadow map
+    double u, v, t;      // as the shader used them
+    glm::dvec3 position; // relative to the origin
+    glm::dvec3 normal;   // unit length, towards the viewer
+    double visibility;   // what the program says
+};
+
+// The four pictures that say what each pixel shows.
+class Receivers {
+public:
+    explicit Receivers(const Run &run);
+    Receiver at(int x, int y) const;
+
+private:
+    Picture receiver_, position_, normal_, visibility_;
+    int layers_;
+};
+
+#endif

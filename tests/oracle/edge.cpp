@@ -1,0 +1,216 @@
+#include <algorithm> // max, min
+#include <cmath>     // abs, sqrt
+
+#include "tests/oracle/chebyshev_bound.h"
+#include "tests/oracle/footprint.h"
+#include "tests/oracle/light.h"
+#include "tests/oracle/rounding.h"
+#include "tests/oracle/two_depths.h"
+
+// A bound wider than this proves nothing: untested.
+static constexpr double WIDEST = 0.1;
+
+namespace {
+
+struct EdgeMap {
+    MapView view;
+    Settings settings;
+    int step;
+    double floor, occluder; // depths t
+    double depth_error;     // of a 32-bit depth, rasterised or of a pixel
+    std::vector<Place> under_floor, under_occluder; // per texel
+};
+
+// What one pixel should be, and how far off it may be.
+struct Prediction {
+    bool testable = false;
+    double share = 0; // of the filter that sees past the occluder
+    double lit = 1;
+    double bound = 0;
+};
+
+struct Tally {
+    size_t tested = 0, wrong = 0, penumbra = 0, untested = 0;
+    double worst = 0, widest = 0;
+
+    void add(const Prediction &prediction, double visibility) {
+        if (!prediction.testable || prediction.bound > WIDEST) {
+            untested++;
+            return;
+        }
+        double error = std::abs(visibility - prediction.lit);
+        tested++;
+        wrong += error <= prediction.bound ? 0 : 1;
+        penumbra += prediction.share > 0 && prediction.share < 1 ? 1 : 0;
+        worst = std::max(worst, error);
+        widest = std::max(widest, prediction.bound);
+    }
+};
+
+} // namespace
+
+// The weight of the texels that see the floor past the occluder. False when
+// the filter sees anything else, or a texel that may be either.
+static bool uncovered(const EdgeMap &map, const Footprint &across,
+                      const Footprint &up, double &share) {
+    share = 0;
+    for (size_t j = 0; j < up.weights.size(); j++)
+        for (size_t i = 0; i < across.weights.size(); i++) {
+            int x = across.first + int(i), y = up.first + int(j);
+            double weight = across.weights[i] * up.weights[j];
+            if (weight == 0)
+                continue;
+            if (x < 0 || y < 0 || x >= map.view.width ||
+                y >= map.view.height)
+                return false;
+            size_t texel = size_t(y) * size_t(map.view.width) + size_t(x);
+            if (map.under_floor[texel] != Place::INSIDE ||
+                map.under_occluder[texel] == Place::AMBIGUOUS)
+                return false;
+            bool covered = map.under_occluder[texel] == Place::INSIDE;
+            share += covered ? 0 : weight;
+        }
+    share = std::min(share, 1.0); // the weights' own sum is rounded
+    return true;
+}
+
+// Steps 1 and 2: the share of taps that the receiver is not behind.
+static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
+                               double own_depth) {
+    const Settings &s = map.settings;
+    const MapView &view = map.view;
+    Interval x = rounded(r.u * view.width, UNIT_ROUNDOFF);
+    Interval y = rounded(r.v * view.height, UNIT_ROUNDOFF);
+    Prediction prediction;
+    double share = 0;
+    if (std::floor(x.lo) != std::floor(x.hi) ||
+        std::floor(y.lo) != std::floor(y.hi) ||
+        !uncovered(map, tap_footprint(r.u, 0, view.width, s.kernel),
+                   tap_footprint(r.v, 0, view.height, s.kernel), share))
+        return prediction;
+    Interval bias =
+        total_bias(r, view, view.width, view.height, s.kernel, s);
+    Interval slack = widened(bias - own_depth, 2 * map.depth_error);
+    bool floor_clear = (slack + map.floor).lo > 0;
+    bool occluder_clear = (slack + map.occluder).lo > 0;
+    bool occluder_dark = (slack + map.occluder).hi < 0;
+    prediction.testable =
+        floor_clear && (occluder_clear || occluder_dark || share == 1);
+    prediction.share = share;
+    prediction.lit = occluder_clear ? 1 : share;
+    prediction.bound = rounding_share(3); // k times 1/n^2
+    return prediction;
+}
+
+// The interval of p when a share q of the filter sees the floor. Exact
+// arithmetic gives p = q for a receiver on the floor. What is rounded:
+// - M1 and M2 by the blur and the lookup, and M2's square;
+// - each texel's depth by at most e: that moves M1 by e, as if t had moved,
+//   and the variance by at most 2 e sd + e^2;
+// - t itself by e.
+// The variance is a difference of numbers of size M2, so all this is amplified
+// by its condition number M2 / variance.
+static Interval p_interval(const EdgeMap &map, double q, double own_depth) {
+    double near = map.occluder, far = map.floor, e = map.depth_error;
+    double m1 = q * far + (1 - q) * near;
+    double m2 = q * far * far + (1 - q) * near * near;
+    double deviation = std::sqrt(q * (1 - q)) * (far - near);
+    double blur = blur_share(map.settings);
+    double lookup = rounding_share(LOOKUP_ROUNDINGS);
+    Interval wide_m1 = widened(m1, blur * m1 + lookup * far);
+    Interval wide_m2 =
+        widened(m2, (blur + UNIT_ROUNDOFF) * m2 + lookup * far * far +
+                        2 * e * deviation + e * e);
+    return chebyshev(wide_m1, wide_m2, widened(own_depth, 2 * e),
+                     map.settings);
+}
+
+static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
+                                  double own_depth) {
+    int f = map.settings.downsample, radius = map.settings.radius;
+    const MapView &view = map.view;
+    Prediction prediction;
+    double least = 1, most = 0, q = 0;
+    Shifts shifts = lookup_shifts(r.u, r.v, view.width / f, view.height / f);
+    for (double dy : shifts.y)
+        for (double dx : shifts.x) {
+            if (!uncovered(map,
+                           lookup_footprint(r.u, dx, view.width, f, radius),
+                           lookup_footprint(r.v, dy, view.height, f, radius),
+                           q))
+                return prediction;
+            Interval p = p_interval(map, q, own_depth);
+            least = std::min(least, p.lo);
+            most = std::max(most, p.hi);
+        }
+    bool on_floor = own_depth == map.floor;
+    double a = map.settings.bleed_reduction;
+    if (!uncovered(map, lookup_footprint(r.u, 0, view.width, f, radius),
+                   lookup_footprint(r.v, 0, view.height, f, radius), q))
+        return prediction;
+    prediction.testable = true;
+    prediction.share = q;
+    prediction.lit =
+        on_floor ? std::clamp((q - a) / (1 - a), 0.0, 1.0) : 1.0;
+    prediction.bound = std::max({std::abs(most - prediction.lit),
+                                 std::abs(prediction.lit - least)});
+    return prediction;
+}
+
+static EdgeMap edge_map(const Run &run, const SceneTable &table) {
+    if (run.step > 2 && run.step != 5)
+        throw BadInput("edge needs step 1, 2 or 5");
+    MapRectangle floor(table, run, "floor");
+    MapRectangle occluder(table, run, "occluder");
+    EdgeMap map{run.views.at(0), run.settings, run.step, floor.depth(),
+                occluder.depth(), 0, {}, {}};
+    map.under_floor = places(floor, map.view);
+    map.under_occluder = places(occluder, map.view);
+    // The vertices' rounding, the blend of three and the dot product with T:
+    // 16 units of the numbers' size, as for the ray cast depths.
+    double extent = scene_extent(table.scene, run.origin);
+    double size = std::abs(map.view.rows[2].w) + 1;
+    for (int i = 0; i < 3; i++)
+        size += std::abs(map.view.rows[2][i]) * extent;
+    map.depth_error = rounding_share(16) * size;
+    if (map.floor - map.occluder < 4 * map.depth_error)
+        throw BadInput("edge: the gap is lost in the rounding of depths");
+    return map;
+}
+
+static void print(const char *what, const Tally &t, bool wants_penumbra,
+                  Report &report) {
+    bool tested = t.tested > 0 && t.tested >= t.untested &&
+                  (t.penumbra > 0 || !wants_penumbra);
+    bool hidden = t.tested + t.untested == 0; // not in this picture
+    report.line(t.wrong == 0 && (tested || (hidden && !wants_penumbra)), what,
+                "%zu of %zu pixels outside the bound (%zu with a mixed "
+                "filter), worst %.3g, widest bound %.3g, %zu untested",
+                t.wrong, t.tested, t.penumbra, t.worst, t.widest, t.untested);
+}
+
+void check_edge(const Run &run, const SceneTable &table, Report &report) {
+    EdgeMap map = edge_map(run, table);
+    Receivers receivers(run);
+    Tally on_floor, on_occluder;
+    for (int y = 0; y < run.height; y++)
+        for (int x = 0; x < run.width; x++) {
+            Receiver r = receivers.at(x, y);
+            if (!r.shown || !inside_map(r) ||
+                facing(r, map.view) != Facing::TOWARDS)
+                continue;
+            bool floor = std::abs(r.t - map.floor) <=
+                         std::abs(r.t - map.occluder);
+            double depth = floor ? map.floor : map.occluder;
+            Prediction prediction = map.step == 5
+                                        ? predict_moments(map, r, depth)
+                                        : predict_taps(map, r, depth);
+            (floor ? on_floor : on_occluder).add(prediction, r.visibility);
+        }
+    if (on_floor.tested + on_floor.untested == 0)
+        throw BadInput("edge: no pixel shows the floor inside the map");
+    // A kernel of one tap has no penumbra.
+    bool soft = run.step == 5 || run.settings.kernel > 1;
+    print("edge: visibility is the lit share", on_floor, soft, report);
+    print("edge: the occluder's top is lit", on_occluder, false, report);
+}

@@ -1,0 +1,27 @@
+// The receiver's side of the formulas: where it faces, and its depth bias.
+#ifndef ORACLE_LIGHT_H
+#define ORACLE_LIGHT_H
+
+#include "tests/oracle/dump.h"
+#include "tests/oracle/interval.h"
+
+// dot(a, b) as a 32-bit program may have it, when b was rounded to float.
+Interval rounded_dot(const glm::dvec3 &a, const glm::dvec3 &b);
+
+enum class Facing { TOWARDS, AWAY, UNKNOWN };
+
+// The sign of N.L, from the view's T row, which is the light's direction.
+// UNKNOWN where rounding can turn it: |N.L| within a few units of 0.
+Facing facing(const Receiver &receiver, const MapView &view);
+
+double cosine_to_light(const glm::dvec3 &normal, const MapView &view);
+
+// u, v and t all in [0, 1]; outside the map everything is lit.
+bool inside_map(const Receiver &receiver);
+
+// bias + slope-bias (n+1)/2 (|dt/dx| + |dt/dy|), x and y in texels of a map of
+// width x height, n the width of the comparison's kernel.
+Interval total_bias(const Receiver &receiver, const MapView &view, int width,
+                    int height, int n, const Settings &settings);
+
+#endif

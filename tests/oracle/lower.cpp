@@ -1,0 +1,124 @@
+#include "tests/oracle/lower.h"
+
+#include <algorithm> // min, max
+#include <cmath>     // INFINITY
+
+#include "tests/oracle/chebyshev_bound.h"
+#include "tests/oracle/footprint.h"
+#include "tests/oracle/light.h"
+#include "tests/oracle/rounding.h"
+
+// A bound wider than this proves nothing: untested.
+static constexpr double WIDEST = 0.1;
+// The oracle's own sums of some thousand weights, in double.
+static constexpr double OWN_ROUNDING = 1e-12;
+
+namespace {
+
+// What the whole filter sees at one position, from the texels as stored.
+struct Seen {
+    double lit = 0;        // weight of the texels at or behind the receiver
+    double m1 = 0, m2 = 0; // exact
+    double farthest = 0;   // the largest depth with a weight
+};
+
+// The counts of one run over all pixels.
+struct Tally {
+    size_t tested = 0, untested = 0, violated = 0, penumbra = 0;
+    double worst = INFINITY;  // smallest p - (lit - bound)
+    double nearest = INFINITY; // smallest p - lit
+    double widest = 0;        // largest bound used
+};
+
+} // namespace
+
+static double texel(const Picture &map, int x, int y) {
+    return map.holds(x, y) ? double(map.at(x, y)) : 1.0;
+}
+
+static Seen seen(const Picture &map, const Footprint &across,
+                 const Footprint &up, double t) {
+    Seen sum;
+    for (size_t j = 0; j < up.weights.size(); j++)
+        for (size_t i = 0; i < across.weights.size(); i++) {
+            double weight = across.weights[i] * up.weights[j];
+            double x = texel(map, across.first + int(i), up.first + int(j));
+            sum.lit += x >= t ? weight : 0;
+            sum.m1 += weight * x;
+            sum.m2 += weight * x * x;
+            sum.farthest = std::max(sum.farthest, weight > 0 ? x : 0);
+        }
+    return sum;
+}
+
+// How far rounding can pull p below what exact arithmetic gives, and exact
+// arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each texel once,
+// the downsampling and the blur by blur_share, the lookup by 6 units of the
+// largest texel it blends, then the formula's own, in chebyshev().
+static double bound(const Seen &s, double t, const Settings &settings) {
+    double blur = blur_share(settings);
+    double lookup = rounding_share(LOOKUP_ROUNDINGS);
+    double far2 = s.farthest * s.farthest;
+    Interval m1 = widened(s.m1, blur * s.m1 + lookup * s.farthest);
+    double m2_share = blur + UNIT_ROUNDOFF;
+    Interval m2 = widened(s.m2, m2_share * s.m2 + lookup * far2);
+    double exact = chebyshev_exact(s.m1, s.m2, t, settings);
+    return exact - std::min(exact, chebyshev(m1, m2, t, settings).lo) +
+           OWN_ROUNDING;
+}
+
+static void test_pixel(const Run &run, const Receiver &r, const MapView &view,
+                       const Picture &map, Tally &tally) {
+    int f = run.settings.downsample, radius = run.settings.radius;
+    Shifts shifts =
+        lookup_shifts(r.u, r.v, map.width / f, map.height / f);
+    double least = INFINITY, lit = INFINITY, widest = 0;
+    for (double dy : shifts.y) { // the least over the widened position
+        Footprint up = lookup_footprint(r.v, dy, view.height, f, radius);
+        for (double dx : shifts.x) {
+            Footprint across =
+                lookup_footprint(r.u, dx, view.width, f, radius);
+            Seen s = seen(map, across, up, r.t);
+            double rounding = bound(s, r.t, run.settings);
+            least = std::min(least, s.lit - rounding);
+            lit = std::min(lit, s.lit);
+            widest = std::max(widest, rounding);
+        }
+    }
+    if (widest > WIDEST) {
+        tally.untested++;
+        return;
+    }
+    tally.tested++;
+    tally.penumbra += lit > 0.01 && lit < 0.99 ? 1 : 0;
+    tally.violated += r.visibility >= least ? 0 : 1; // true for NaN too
+    tally.worst = std::min(tally.worst, r.visibility - least);
+    tally.nearest = std::min(tally.nearest, r.visibility - lit);
+    tally.widest = std::max(tally.widest, widest);
+}
+
+void check_lower(const Run &run, Report &report) {
+    if (run.step != 5 || run.settings.bleed_reduction != 0)
+        throw BadInput("lower needs step 5 with bleed-reduction 0");
+    Receivers receivers(run);
+    std::vector<Picture> maps;
+    for (size_t layer = 0; layer < run.views.size(); layer++)
+        maps.push_back(load_map(run, int(layer)));
+    Tally tally;
+    for (int y = 0; y < run.height; y++)
+        for (int x = 0; x < run.width; x++) {
+            Receiver r = receivers.at(x, y);
+            if (!r.shown || !inside_map(r))
+                continue;
+            size_t layer = size_t(r.layer);
+            const MapView &view = run.views[layer];
+            if (facing(r, view) == Facing::TOWARDS)
+                test_pixel(run, r, view, maps[layer], tally);
+        }
+    report.line(tally.violated == 0 && tally.tested > 0,
+                "p_max is not below the lit share",
+                "%zu of %zu violate (%zu in penumbra), worst margin %.3g "
+                "(%.3g without the bound), widest bound %.3g, %zu untested",
+                tally.violated, tally.tested, tally.penumbra, tally.worst,
+                tally.nearest, tally.widest, tally.untested);
+}

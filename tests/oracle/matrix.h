@@ -1,0 +1,19 @@
+// The check `matrix`: positions, the light's view and the camera.
+#ifndef ORACLE_MATRIX_H
+#define ORACLE_MATRIX_H
+
+#include "tests/oracle/dump.h"
+#include "tests/oracle/report.h"
+#include "tests/oracle/scene_table.h"
+
+// receiver.exr is map_from_relative times position.exr.
+void check_receiver(const Run &run, Report &report);
+
+// The view follows from the scene's light and casters.
+void check_view(const Run &run, const SceneTable &table, int layer,
+                Report &report);
+
+// position.exr lies on the rays of the scene's camera.
+void check_camera(const Run &run, const SceneTable &table, Report &report);
+
+#endif

@@ -1,0 +1,117 @@
+// The oracle: recomputes what a program dumped, from the formulas and the
+// scene table alone, and says PASS or FAIL line by line. It knows nothing of
+// the programs' code. Exit status 0: no FAIL, 1: some, 2: bad usage or input.
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "tests/oracle/arguments.h"
+#include "tests/oracle/compare.h"
+#include "tests/oracle/dump.h"
+#include "tests/oracle/files.h"
+#include "tests/oracle/lower.h"
+#include "tests/oracle/matrix.h"
+#include "tests/oracle/ray_checks.h"
+#include "tests/oracle/scene_table.h"
+#include "tests/oracle/stage.h"
+#include "tests/oracle/two_depths.h"
+
+static const char *const USAGE =
+    "usage: oracle CHECK DIR [key=value ...]\n"
+    "  files    every file is there, finite and in range\n"
+    "  stage    each stage against its own input files\n"
+    "  lower    step 5: p_max is not below the lit share of the texels\n"
+    "  matrix   positions, the light's view and the camera\n"
+    "  rays     depths, positions and visibility against ray casting\n"
+    "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
+    "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
+    "  compare  A B [max=0] [share=1]: two picture files\n";
+
+using Words = std::vector<std::string>;
+
+static void run_stages(const Run &run, Report &report) {
+    for (size_t layer = 0; layer < run.views.size(); layer++) {
+        if (run.step >= 3)
+            check_moments(run, int(layer), report);
+        if (run.step >= 4)
+            check_blur(run, int(layer), report);
+    }
+    check_visibility(run, report);
+}
+
+static void run_matrices(const Run &run, Report &report) {
+    SceneTable table(run.scene);
+    check_receiver(run, report);
+    for (size_t layer = 0; layer < run.views.size(); layer++)
+        check_view(run, table, int(layer), report);
+    check_camera(run, table, report);
+}
+
+static void run_rays(const Run &run, Report &report) {
+    SceneTable table(run.scene);
+    RayScene rays(table.scene, run.origin);
+    double extent = scene_extent(table.scene, run.origin);
+    for (size_t layer = 0; layer < run.views.size(); layer++)
+        check_ray_depths(run, rays, extent, int(layer), report);
+    check_ray_positions(run, table.scene, rays, extent, report);
+    check_ray_visibility(run, table.scene, rays, extent, report);
+}
+
+static void run_check(const std::string &check, const std::string &folder,
+                      const Words &words, Report &report) {
+    bool bleed = check == "bleed";
+    Arguments arguments(words, bleed ? Words{"r"} : Words{});
+    Run run = load_run(folder);
+    if (check == "files") {
+        check_files(run, report);
+    } else if (check == "stage") {
+        run_stages(run, report);
+    } else if (check == "lower") {
+        check_lower(run, report);
+    } else if (check == "matrix") {
+        run_matrices(run, report);
+    } else if (check == "rays") {
+        run_rays(run, report);
+    } else if (check == "edge") {
+        check_edge(run, SceneTable(run.scene), report);
+    } else if (bleed) {
+        double r = arguments.number("r", -1);
+        if (r <= 0)
+            throw BadInput("bleed needs r=R, the ratio of the gaps");
+        check_bleed(run, SceneTable(run.scene), r, report);
+    } else {
+        throw BadInput("no check '" + check + "'");
+    }
+}
+
+static void run_compare(const Words &words, Report &report) {
+    if (words.size() < 2)
+        throw BadInput("compare needs two files");
+    Arguments arguments(Words(words.begin() + 2, words.end()),
+                        {"max", "share"});
+    compare_pictures(words[0], words[1], arguments.number("max", 0),
+                     arguments.number("share", 1), report);
+}
+
+int main(int count, char **values) {
+    if (count < 3) {
+        std::fputs(USAGE, stderr);
+        return 2;
+    }
+    std::string check = values[1];
+    Words words(values + 2, values + count);
+    Report report;
+    try {
+        if (check == "compare")
+            run_compare(words, report);
+        else
+            run_check(check, words[0], Words(words.begin() + 1, words.end()),
+                      report);
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "oracle: %s\n", error.what());
+        return 2;
+    }
+    return report.all_passed() ? 0 : 1;
+}

@@ -1,0 +1,49 @@
+#include <algorithm> // max
+#include <cmath>     // abs
+
+#include "tests/oracle/projection.h"
+#include "tests/oracle/ray_checks.h"
+#include "tests/oracle/ray_compare.h"
+#include "tests/oracle/rounding.h"
+
+Ray map_ray(const MapView &view, double u, double v, double start) {
+    glm::dvec3 along = point_of_map(view, {u, v, 1}) -
+                       point_of_map(view, {u, v, 0});
+    return {point_of_map(view, {u, v, start}), along};
+}
+
+// A depth in 32-bit arithmetic: the vertices' rounding, the blend of three,
+// and the dot product with T; 16 units of the numbers' size.
+static double depth_rounding(const MapView &view, double extent) {
+    double size = std::abs(view.rows[2].w) + 1;
+    for (int i = 0; i < 3; i++)
+        size += std::abs(view.rows[2][i]) * extent;
+    return rounding_share(16) * size;
+}
+
+void check_ray_depths(const Run &run, const RayScene &rays, double extent,
+                      int layer, Report &report) {
+    const MapView &view = run.views[size_t(layer)];
+    Picture map = load_map(run, layer);
+    double rounding = depth_rounding(view, extent);
+    // A surface may lie exactly in the near plane: start a little before it.
+    double start = -std::max(rounding, 1e-6);
+    RayComparison count;
+    for (int y = 0; y < map.height; y++)
+        for (int x = 0; x < map.width; x++) {
+            RayAt ray_at = [&](double dx, double dy) {
+                return map_ray(view, (x + 0.5 + dx) / map.width,
+                               (y + 0.5 + dy) / map.height, start);
+            };
+            Measured measured = {map.at(x, y) - start, 1 - start, rounding};
+            compare_with_rays(rays, ray_at, measured, count);
+        }
+    bool passed = count.differs == 0 &&
+                  count.silhouette_share() <= MOST_SILHOUETTE;
+    report.line(passed,
+                "map depths against rays",
+                "%zu of %zu texels differ, worst of the others %.3g, "
+                "rounding %.3g, at silhouettes %zu (%.3g %%)",
+                count.differs, count.all(), count.worst, rounding,
+                count.silhouette, 100 * count.silhouette_share());
+}

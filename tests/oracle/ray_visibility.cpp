@@ -1,0 +1,204 @@
+#include <algorithm> // min, max
+#include <cmath>     // ceil, floor
+
+#include "tests/oracle/light.h"
+#include "tests/oracle/projection.h"
+#include "tests/oracle/ray_checks.h"
+#include "tests/oracle/rounding.h"
+
+namespace {
+
+// Ray cast depths at the texel centres of one layer.
+struct IdealMap {
+    Picture depth; // far depth 1 where nothing is hit
+    int reach;     // texels that a filter or a half texel of error can see
+};
+
+// The receiver's own plane in the map: t at u + du, v + dv.
+struct MapPlane {
+    double u, v, t, per_u, per_v;
+    double at(double other_u, double other_v) const {
+        return t + per_u * (other_u - u) + per_v * (other_v - v);
+    }
+};
+
+enum class Truth { LIT, SHADOWED, APART };
+
+struct Tally {
+    size_t lit = 0, lit_wrong = 0, shadowed = 0, shadowed_wrong = 0, apart = 0;
+    double darkest_lit = 1, brightest_shadowed = 0;
+};
+
+struct RayContext { // what does not change from pixel to pixel
+    const Run &run;
+    const RayScene &rays;
+    const PictureCamera &camera;
+    double extent;
+};
+
+} // namespace
+
+// The filter's half width in map texels and 2 more, for what a rasterised
+// silhouette may differ from an ideal one.
+static int filter_reach(const Run &run) {
+    const Settings &s = run.settings;
+    if (run.step <= 2)
+        return (s.kernel - 1) / 2 + 2;
+    return int(std::ceil(s.downsample * (s.radius + 1.5) - 0.5)) + 2;
+}
+
+static IdealMap ideal_map(const Run &run, const RayScene &rays,
+                          const MapView &view) {
+    Picture depth{view.width, view.height, 1, {}};
+    depth.values.resize(size_t(view.width) * size_t(view.height));
+    double start = -1e-6;
+    for (int y = 0; y < view.height; y++)
+        for (int x = 0; x < view.width; x++) {
+            Ray ray = map_ray(view, (x + 0.5) / view.width,
+                              (y + 0.5) / view.height, start);
+            double t = rays.first(ray).distance + start;
+            depth.at(x, y) = float(std::min(t, 1.0));
+        }
+    return {depth, filter_reach(run)};
+}
+
+// n.p is constant on the plane; p is linear in u, v and t.
+static MapPlane plane_of(const Receiver &r, const MapView &view,
+                         const glm::dvec3 &normal) {
+    glm::dvec3 zero = point_of_map(view, {0, 0, 0});
+    double du = glm::dot(normal, point_of_map(view, {1, 0, 0}) - zero);
+    double dv = glm::dot(normal, point_of_map(view, {0, 1, 0}) - zero);
+    double dt = glm::dot(normal, point_of_map(view, {0, 0, 1}) - zero);
+    return {r.u, r.v, r.t, -du / dt, -dv / dt};
+}
+
+// What all texels in reach say: LIT where none is nearer to the light than the
+// receiver's plane, SHADOWED where all are nearer than the plane, and than the
+// receiver, by more than the bias. Mixtures, and occluders within the bias, are
+// APART.
+static Truth texels_in_reach(const IdealMap &map, const MapPlane &plane,
+                             double bias, double rounding) {
+    int width = map.depth.width, height = map.depth.height;
+    int centre_x = int(std::floor(plane.u * width));
+    int centre_y = int(std::floor(plane.v * height));
+    bool lit = true, shadowed = true;
+    for (int y = centre_y - map.reach; y <= centre_y + map.reach; y++)
+        for (int x = centre_x - map.reach; x <= centre_x + map.reach; x++) {
+            double own = plane.at((x + 0.5) / width, (y + 0.5) / height);
+            bool holds = map.depth.holds(x, y);
+            double depth = holds ? double(map.depth.at(x, y)) : 1.0;
+            double nearest = std::min(own, plane.t);
+            lit = lit && depth >= own - rounding;
+            shadowed = shadowed && depth < nearest - bias - rounding;
+        }
+    if (lit)
+        return Truth::LIT;
+    return shadowed ? Truth::SHADOWED : Truth::APART;
+}
+
+// Exact hard visibility: is anything between the receiver and the light?
+static bool in_shadow(const RayContext &context, const Receiver &r,
+                      const MapView &view, const glm::dvec3 &normal) {
+    glm::dvec3 t = glm::dvec3(view.rows[2]);
+    // Off the surface by more than the position's and Embree's rounding.
+    double lift = rounding_share(64) * context.extent;
+    return context.rays.occluded({r.position + lift * normal,
+                                  -t / glm::length(t)});
+}
+
+// The normal of the triangle seen through the pixel, towards the viewer; 0
+// where the rays see none.
+static glm::dvec3 true_normal(const RayContext &context, int x, int y) {
+    Ray ray{glm::dvec3(0), context.camera.ray(x + 0.5, y + 0.5)};
+    Hit hit = context.rays.first(ray);
+    if (!hit.found())
+        return glm::dvec3(0);
+    glm::dvec3 n =
+        glm::normalize(context.rays.triangle(hit.triangle).normal());
+    return glm::dot(n, ray.direction) > 0 ? -n : n;
+}
+
+static Truth truth_of(const RayContext &context, const Receiver &r,
+                      const MapView &view, const IdealMap &map,
+                      const glm::dvec3 &normal) {
+    MapPlane plane = plane_of(r, view, normal);
+    const Settings &settings = context.run.settings;
+    double bias = 0;
+    if (context.run.step <= 4)
+        bias = total_bias(r, view, map.depth.width / settings.downsample,
+                          map.depth.height / settings.downsample,
+                          settings.kernel, settings)
+                   .hi;
+    // Of the position, as a depth, and of the plane's slope over the reach.
+    double size = 1 + std::abs(view.rows[2].w);
+    for (int i = 0; i < 3; i++)
+        size += std::abs(view.rows[2][i]) * context.extent;
+    double rounding = rounding_share(32) * size;
+    Truth truth = texels_in_reach(map, plane, bias, rounding);
+    bool dark = in_shadow(context, r, view, normal);
+    bool same = dark ? truth == Truth::SHADOWED : truth == Truth::LIT;
+    return same ? truth : Truth::APART;
+}
+
+static void count(Truth truth, double visibility, Tally &tally) {
+    if (truth == Truth::LIT) {
+        tally.lit++;
+        tally.lit_wrong += visibility >= 0.98 ? 0 : 1;
+        tally.darkest_lit = std::min(tally.darkest_lit, visibility);
+    } else if (truth == Truth::SHADOWED) {
+        tally.shadowed++;
+        tally.shadowed_wrong += visibility <= 0.02 ? 0 : 1;
+        tally.brightest_shadowed =
+            std::max(tally.brightest_shadowed, visibility);
+    } else {
+        tally.apart++;
+    }
+}
+
+static void print(const Run &run, const Tally &t, Report &report) {
+    double most = 0.001; // silhouettes that the texel centres do not show
+    report.line(double(t.lit_wrong) <= most * double(t.lit),
+                "lit by rays", "%zu of %zu pixels under 0.98, darkest %.3g",
+                t.lit_wrong, t.lit, t.darkest_lit);
+    // Step 5 bleeds light, whatever is done right.
+    bool bleeds = run.step == 5;
+    report.line(bleeds ||
+                    double(t.shadowed_wrong) <= most * double(t.shadowed),
+                "shadowed by rays",
+                "%zu of %zu pixels over 0.02%s, brightest %.3g",
+                t.shadowed_wrong, t.shadowed,
+                bleeds ? " (light bleeding, not judged)" : "",
+                t.brightest_shadowed);
+    size_t all = t.lit + t.shadowed + t.apart;
+    report.line(all == 0 || t.lit + t.shadowed > 0, "tested by rays",
+                "%zu of %zu pixels, %zu at silhouettes counted apart",
+                t.lit + t.shadowed, all, t.apart);
+}
+
+void check_ray_visibility(const Run &run, const Scene &scene,
+                          const RayScene &rays, double extent,
+                          Report &report) {
+    PictureCamera camera(scene.camera, run.width, run.height);
+    RayContext context{run, rays, camera, extent};
+    Receivers receivers(run);
+    std::vector<IdealMap> maps;
+    for (const MapView &view : run.views)
+        maps.push_back(ideal_map(run, rays, view));
+    Tally tally;
+    for (int y = 0; y < run.height; y++)
+        for (int x = 0; x < run.width; x++) {
+            Receiver r = receivers.at(x, y);
+            if (!r.shown)
+                continue;
+            const MapView &view = run.views[size_t(r.layer)];
+            glm::dvec3 normal = true_normal(context, x, y);
+            // Grazing light: facets and the bias' own limit decide, not rays.
+            if (cosine_to_light(r.normal, view) < 0.1 ||
+                cosine_to_light(normal, view) < 0.1)
+                continue;
+            const IdealMap &map = maps[size_t(r.layer)];
+            count(truth_of(context, r, view, map, normal), r.visibility,
+                  tally);
+        }
+    print(run, tally, report);
+}

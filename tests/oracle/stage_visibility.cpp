@@ -1,0 +1,148 @@
+#include <algorithm> // max
+#include <cmath>     // abs, floor
+
+#include "tests/oracle/chebyshev_bound.h"
+#include "tests/oracle/footprint.h" // position_error
+#include "tests/oracle/light.h"
+#include "tests/oracle/rounding.h"
+#include "tests/oracle/stage.h"
+
+// A pixel whose interval is wider than this proves nothing: untested.
+static constexpr double WIDEST = 0.1;
+// More untested pixels than this share mean that the check tests too little.
+static constexpr double MOST_UNTESTED = 0.02;
+
+static double texel(const Picture &map, int x, int y, int channel) {
+    return map.holds(x, y) ? double(map.at(x, y, channel)) : 1.0;
+}
+
+// 1 where t - bias <= depth for sure, 0 where it is not for sure, else both.
+static Interval compared(double t, Interval bias, Interval depth) {
+    Interval moved = t - bias;
+    if (bias.hi > 0) // t - 0 is exact
+        moved = widened(moved, UNIT_ROUNDOFF * (t + bias.hi));
+    if (moved.hi <= depth.lo)
+        return 1;
+    return moved.lo > depth.hi ? Interval(0) : Interval(0, 1);
+}
+
+static Interval pcf_at(const Receiver &r, Interval bias, const Picture &map,
+                       int centre_x, int centre_y, int n) {
+    Interval lit = 0;
+    int half = (n - 1) / 2;
+    for (int y = centre_y - half; y <= centre_y + half; y++)
+        for (int x = centre_x - half; x <= centre_x + half; x++)
+            lit = lit + compared(r.t, bias, texel(map, x, y, 0));
+    // A whole number is exact in float; the product with 1/n^2 is not.
+    return n == 1 ? lit : rounded(lit / double(n * n), rounding_share(3));
+}
+
+// Steps 1 and 2. The product u * size is rounded before floor, so a position
+// next to a texel's edge can belong to either texel.
+static Interval pcf(const Receiver &r, const MapView &view,
+                    const Picture &map, const Settings &settings) {
+    int n = settings.kernel;
+    Interval bias =
+        total_bias(r, view, map.width, map.height, n, settings);
+    Interval x = rounded(r.u * map.width, UNIT_ROUNDOFF);
+    Interval y = rounded(r.v * map.height, UNIT_ROUNDOFF);
+    int left = int(std::floor(x.lo)), right = int(std::floor(x.hi));
+    int low = int(std::floor(y.lo)), high = int(std::floor(y.hi));
+    Interval lit = pcf_at(r, bias, map, left, low, n);
+    for (int j = low; j <= high; j++)
+        for (int i = left; i <= right; i++)
+            lit = hull(lit, pcf_at(r, bias, map, i, j, n));
+    return lit;
+}
+
+static double bilinear(const Picture &map, double x, double y, int channel) {
+    double left = std::floor(x), low = std::floor(y);
+    double wx = x - left, wy = y - low;
+    int i = int(left), j = int(low);
+    double below = (1 - wx) * texel(map, i, j, channel) +
+                   wx * texel(map, i + 1, j, channel);
+    double above = (1 - wx) * texel(map, i, j + 1, channel) +
+                   wx * texel(map, i + 1, j + 1, channel);
+    return (1 - wy) * below + wy * above;
+}
+
+// The largest of the texels that a lookup at x, y can touch.
+static double largest(const Picture &map, double x, double y, int channel) {
+    double value = 0;
+    int i = int(std::floor(x)), j = int(std::floor(y));
+    for (int dy = -1; dy <= 2; dy++)
+        for (int dx = -1; dx <= 2; dx++)
+            value = std::max(value, texel(map, i + dx, j + dy, channel));
+    return value;
+}
+
+// A lookup is bilinear between texel centres, so that over a small rectangle
+// of positions its extremes lie at the corners or where a texel centre cuts.
+static Interval looked_up(const Picture &map, const Receiver &r, int channel) {
+    double x = r.u * map.width - 0.5, y = r.v * map.height - 0.5;
+    Shifts shifts = lookup_shifts(r.u, r.v, map.width, map.height);
+    Interval value = bilinear(map, x, y, channel);
+    for (double dy : shifts.y)
+        for (double dx : shifts.x)
+            value = hull(value, bilinear(map, x + dx, y + dy, channel));
+    double share = rounding_share(LOOKUP_ROUNDINGS);
+    return widened(value, share * largest(map, x, y, channel));
+}
+
+// The visibility of a receiver inside the map that faces the light.
+static Interval expected(const Run &run, const Receiver &r,
+                         const MapView &view, const Picture &map) {
+    const Settings &settings = run.settings;
+    if (run.step <= 2)
+        return pcf(r, view, map, settings);
+    Interval m1 = looked_up(map, r, 0);
+    if (run.step == 5)
+        return chebyshev(m1, looked_up(map, r, 1), r.t, settings);
+    Interval bias = total_bias(r, view, map.width, map.height, 1, settings);
+    return compared(r.t, bias, m1);
+}
+
+static Interval expected_anywhere(const Run &run, const Receiver &r,
+                                  const std::vector<Picture> &maps) {
+    if (!r.shown)
+        return 1;
+    const MapView &view = run.views[size_t(r.layer)];
+    Facing side = facing(r, view);
+    if (side == Facing::AWAY)
+        return 0;
+    Interval lit = 1;
+    if (inside_map(r))
+        lit = expected(run, r, view, maps[size_t(r.layer)]);
+    return side == Facing::UNKNOWN ? hull(0, lit) : lit;
+}
+
+void check_visibility(const Run &run, Report &report) {
+    Receivers receivers(run);
+    std::vector<Picture> maps;
+    for (size_t layer = 0; layer < run.views.size(); layer++)
+        maps.push_back(load_filtered(run, int(layer)));
+    size_t shown = 0, untested = 0, wrong = 0;
+    double worst = 0, widest = 0;
+    for (int y = 0; y < run.height; y++)
+        for (int x = 0; x < run.width; x++) {
+            Receiver r = receivers.at(x, y);
+            Interval truth = expected_anywhere(run, r, maps);
+            shown += r.shown ? 1 : 0;
+            if (truth.width() > WIDEST) {
+                untested++;
+                continue;
+            }
+            wrong += truth.contains(r.visibility) ? 0 : 1;
+            worst = std::max(worst, truth.distance(r.visibility));
+            widest = std::max(widest, truth.width());
+        }
+    size_t pixels = size_t(run.width) * size_t(run.height);
+    report.line(wrong == 0, "stage visibility",
+                "%zu of %zu tested pixels outside, worst by %.3g, widest "
+                "interval %.3g",
+                wrong, pixels - untested, worst, widest);
+    report.line(double(untested) <= MOST_UNTESTED * double(shown),
+                "stage visibility: few untested", "%zu of %zu pixels (%.3g %%)",
+                untested, shown,
+                shown ? 100.0 * double(untested) / double(shown) : 0.0);
+}
