@@ -24,7 +24,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step1.png");
+    state.base = base_settings("out/step1.png", NULL);
     state.bias = bias_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};

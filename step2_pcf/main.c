@@ -25,7 +25,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step2.png");
+    state.base = base_settings("out/step2.png", NULL);
     state.bias = bias_settings();
     state.pcf = pcf_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};

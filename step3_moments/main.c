@@ -25,7 +25,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step3.png");
+    state.base = base_settings("out/step3.png", moments_shows);
     state.bias = bias_settings();
     state.moments = moments_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};

@@ -2,6 +2,7 @@
 #ifndef STEP3_MOMENTS_H
 #define STEP3_MOMENTS_H
 
+#include "step1_shadowmap/base/legend.h"  // ShowMode
 #include "step1_shadowmap/base/options.h" // Option
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
 
@@ -10,6 +11,9 @@ typedef struct MomentsSettings {
 } MomentsSettings;
 
 extern const Option moments_options[];
+
+// --show mean and --show variance.
+extern const ShowMode moments_shows[];
 
 MomentsSettings moments_settings(void);
 

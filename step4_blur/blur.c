@@ -127,7 +127,7 @@ static GLuint create_weights(const BlurSettings *settings)
 
 static GLuint create_program(ShaderFiles files, const char *fragment_shader)
 {
-    const char *vertex[] = {"step4_blur/shaders/fullscreen.vert", NULL};
+    const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
     const char *fragment[] = {"step4_blur/shaders/map_texel.glsl",
                               fragment_shader, NULL};
     return gl_program(files, vertex, fragment);

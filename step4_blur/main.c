@@ -30,7 +30,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step4.png");
+    state.base = base_settings("out/step4.png", moments_shows);
     state.bias = bias_settings();
     state.moments = moments_settings();
     state.blur = blur_settings();

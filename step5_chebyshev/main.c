@@ -30,7 +30,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step5.png");
+    state.base = base_settings("out/step5.png", moments_shows);
     state.moments = moments_settings();
     state.blur = blur_settings();
     state.chebyshev = chebyshev_settings();

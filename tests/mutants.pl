@@ -70,7 +70,7 @@ my %mutants = (
     ],
     'half a texel off while downsampling' => [
         4, 'step4_blur/shaders/downsample.frag',
-        'factor;', 'factor + 1;'
+        '* factor;', '* factor + 1;'
     ],
     'M2 from the blurred mean' => [
         4, 'step4_blur/shaders/blur.frag',

@@ -13,6 +13,13 @@ base := \
     step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
     step1_shadowmap/shaders/show_shaded.glsl \
     step1_shadowmap/shaders/show_visibility.glsl \
+    step1_shadowmap/shaders/show_depth.glsl \
+    step1_shadowmap/shaders/scale_grey.glsl \
+    step1_shadowmap/shaders/show_layer.glsl \
+    step1_shadowmap/shaders/scale_hue.glsl \
+    step1_shadowmap/base/legend.h step1_shadowmap/base/legend.c \
+    step1_shadowmap/shaders/fullscreen.vert \
+    step1_shadowmap/shaders/legend.frag \
     step1_shadowmap/shaders/dump.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \
     step1_shadowmap/base/context.h step1_shadowmap/base/context.c \

@@ -1,20 +1,27 @@
 #include "step1_shadowmap/base/gl.h"
 
 #include <stdbool.h>
-#include <stdio.h>  // fopen, snprintf
-#include <stdlib.h> // free, strtol
+#include <stdio.h>  // fopen, snprintf, sscanf
+#include <stdlib.h> // free
 #include <string.h> // strchr, strcspn, strstr
 
 #include "step1_shadowmap/base/die.h" // allocate, die, die_usage
 
-enum { MAX_FILES = 12, PATH_BYTES = 4096, LOG_BYTES = 4096 };
+enum {
+    MAX_FILES = 12,
+    LINES_PER_FILE = 10000,
+    PATH_BYTES = 4096,
+    LOG_BYTES = 4096
+};
 
 static void GLAD_API_PTR stop_on_error(GLenum source, GLenum type, GLuint id,
                                        GLenum severity, GLsizei length,
                                        const GLchar *message, const void *user)
 {
-    (void)source, (void)id, (void)severity, (void)length, (void)user;
-    if (type == GL_DEBUG_TYPE_ERROR) {
+    (void)id, (void)severity, (void)length, (void)user;
+    // What the compiler says is in its log, which we read ourselves.
+    if (type == GL_DEBUG_TYPE_ERROR &&
+        source != GL_DEBUG_SOURCE_SHADER_COMPILER) {
         die("OpenGL error: %s", message);
     }
 }
@@ -75,9 +82,9 @@ static char *read_shader(ShaderFiles where, const char *name)
     return text;
 }
 
-// Drivers name the source string by its number, as in "2:14(5): error ..."
-// (Mesa) or "2(14) : error ..." (NVIDIA). Prints the first line that says
-// "error" with the file's name in place of that number.
+// Drivers put the number of the source string and the line in front, as in
+// "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). Prints
+// the first line that says "error" with the file's name and its own line.
 static _Noreturn void stop_on_log(const char *log, const char *const files[])
 {
     const char *line = log;
@@ -86,30 +93,33 @@ static _Noreturn void stop_on_log(const char *log, const char *const files[])
         line = strchr(line, '\n') + 1;
     }
     int length = (int)strcspn(line, "\n");
-    char *rest = NULL;
-    long number = strtol(line, &rest, 10);
-    int count = 0;
-    while (files[count] != NULL) {
-        count++;
+    int file = 0;
+    while (files[file + 1] != NULL) {
+        file++;
     }
-    if (rest == line || number < 0 || number >= count) {
-        die("shader %s: %.*s", files[count - 1], length, line);
+    int number = 0;
+    int skipped = 0;
+    if (sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) != 1 ||
+        number / LINES_PER_FILE > file) {
+        die("shader %s: %.*s", files[file], length, line);
     }
-    length -= (int)(rest - line);
-    die("shader %s%.*s", files[number], length, rest);
+    die("shader %s:%d%.*s", files[number / LINES_PER_FILE],
+        number % LINES_PER_FILE, length - skipped, line + skipped);
 }
 
 static GLuint compile(ShaderFiles where, GLenum type, const char *const files[])
 {
-    // Every file gets a line in front that gives the next line's number and
-    // the file's own, so that an error can be traced to it.
+    // The line in front of a file numbers its lines so that they name the file
+    // too. (The number of the source string, meant for that, is lost by Mesa in
+    // most of its messages.)
     char before[MAX_FILES][48];
     const char *sources[2 * MAX_FILES];
     char *texts[MAX_FILES];
     int count = 0;
     for (; files[count] != NULL; count++) {
-        snprintf(before[count], sizeof before[count], "%s\n#line 1 %d\n",
-                 count == 0 ? "#version 330 core" : "", count);
+        snprintf(before[count], sizeof before[count], "%s\n#line %d\n",
+                 count == 0 ? "#version 330 core" : "",
+                 count * LINES_PER_FILE + 1);
         texts[count] = read_shader(where, files[count]);
         sources[2 * count] = before[count];
         sources[2 * count + 1] = texts[count];

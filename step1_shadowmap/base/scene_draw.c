@@ -23,23 +23,29 @@ static const struct {
     {"visibility", GL_R32F, 1, {1, 1, 1, 1}},
 };
 
+static const GLenum draw_buffers[SCENE_DRAW_OUTPUTS] = {
+    GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+    GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
+
 static GLuint create_program(const BaseSettings *settings,
                              const char *const visibility[])
 {
     static const char *const vertex[] = {"step1_shadowmap/shaders/scene.vert",
                                          NULL};
-    bool shaded = strcmp(settings->show, "shaded") == 0;
+    const ShowMode *mode = base_show_mode(settings);
     const char *fragment[MAX_FILES] = {
         "step1_shadowmap/shaders/map_coordinates.glsl"};
     int count = 1;
     for (int i = 0; visibility[i] != NULL; i++) {
-        if (count + 4 > MAX_FILES) {
+        if (count + 5 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
         }
         fragment[count++] = visibility[i];
     }
-    fragment[count++] = shaded ? "step1_shadowmap/shaders/show_shaded.glsl"
-                               : "step1_shadowmap/shaders/show_visibility.glsl";
+    if (mode->scale != NULL) {
+        fragment[count++] = mode->scale;
+    }
+    fragment[count++] = mode->shader;
     fragment[count++] = settings->dump == NULL
                             ? "step1_shadowmap/shaders/dump_nothing.glsl"
                             : "step1_shadowmap/shaders/dump.glsl";
@@ -49,17 +55,14 @@ static GLuint create_program(const BaseSettings *settings,
 
 static void create_framebuffer(SceneDraw *draw)
 {
-    GLenum buffers[SCENE_DRAW_OUTPUTS];
     glGenFramebuffers(1, &draw->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
     for (int i = 0; i < draw->output_count; i++) {
-        buffers[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
         draw->outputs[i] =
             gl_texture(outputs[i].format, draw->width, draw->height);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D,
+        glFramebufferTexture2D(GL_FRAMEBUFFER, draw_buffers[i], GL_TEXTURE_2D,
                                draw->outputs[i], 0);
     }
-    glDrawBuffers(draw->output_count, buffers);
     draw->depth_buffer = gl_depth_buffer(draw->width, draw->height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
                               GL_RENDERBUFFER, draw->depth_buffer);
@@ -75,6 +78,10 @@ SceneDraw scene_draw_create(const BaseSettings *settings,
                       .output_count =
                           settings->dump == NULL ? 1 : SCENE_DRAW_OUTPUTS};
     draw.program = create_program(settings, visibility);
+    draw.shaded = strcmp(settings->show, "shaded") == 0;
+    draw.legend =
+        legend_create(base_shader_files(settings), base_show_mode(settings),
+                      draw.width, draw.height);
     create_framebuffer(&draw);
     return draw;
 }
@@ -96,8 +103,10 @@ static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
 
 static void clear(const SceneDraw *draw, const Scene *scene)
 {
-    float background[4] = {0, 0, 0, 1};
-    memcpy(background, scene->background, sizeof scene->background);
+    float background[4] = {1, 1, 1, 1};
+    if (draw->shaded) {
+        memcpy(background, scene->background, sizeof scene->background);
+    }
     glClearBufferfv(GL_COLOR, 0, background);
     for (int i = 1; i < draw->output_count; i++) {
         glClearBufferfv(GL_COLOR, i, outputs[i].empty);
@@ -111,6 +120,7 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
 {
     glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
     glViewport(0, 0, draw->width, draw->height);
+    glDrawBuffers(draw->output_count, draw_buffers);
     clear(draw, scene);
     glEnable(GL_DEPTH_TEST);
     glUseProgram(draw->program);
@@ -118,6 +128,7 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, map);
     geometry_draw(geometry, scene, views->origin, draw->program);
+    legend_draw(&draw->legend);
 }
 
 void scene_draw_write(const SceneDraw *draw, const char *path)
@@ -140,6 +151,7 @@ void scene_draw_dump(const SceneDraw *draw, const char *directory)
 
 void scene_draw_destroy(SceneDraw *draw)
 {
+    legend_destroy(&draw->legend);
     glDeleteRenderbuffers(1, &draw->depth_buffer);
     glDeleteTextures(draw->output_count, draw->outputs);
     glDeleteFramebuffers(1, &draw->framebuffer);

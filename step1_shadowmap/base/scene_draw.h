@@ -15,6 +15,8 @@ typedef struct SceneDraw {
     GLuint depth_buffer;
     GLuint outputs[SCENE_DRAW_OUTPUTS]; // picture; with --dump the rest too
     int output_count;
+    bool shaded; // --show shaded: the scene has a background
+    Legend legend;
     int width, height; // pixels
 } SceneDraw;
 

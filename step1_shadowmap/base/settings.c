@@ -2,7 +2,7 @@
 
 #include <stdio.h>  // snprintf, stdout
 #include <stdlib.h> // exit
-#include <string.h> // strrchr
+#include <string.h> // strcmp, strrchr
 
 #include "step1_shadowmap/base/die.h"       // die_usage
 #include "step1_shadowmap/base/file.h"      // file_make_directory
@@ -42,10 +42,11 @@ const Option base_options[] = {
      .argument = "FILE",
      .help = "the picture: .png (8-bit sRGB) or .exr (linear float)"},
     {.name = "show",
-     .kind = OPTION_CHOICE,
+     .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, show),
-     .choices = "shaded,visibility",
-     .help = "what the picture shows; visibility: 1 lit, 0 in shadow"},
+     .argument = "WHAT",
+     .help = "shaded, visibility (1 lit, 0 in shadow), depth or layer; from "
+             "step 3 on also mean or variance"},
     {.name = "dump",
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, dump),
@@ -71,9 +72,47 @@ const Option base_options[] = {
     {0},
 };
 
-BaseSettings base_settings(const char *output)
+static const ShowMode shows[] = {
+    {"shaded", "step1_shadowmap/shaders/show_shaded.glsl", NULL, NULL},
+    {"visibility", "step1_shadowmap/shaders/show_visibility.glsl", NULL, NULL},
+    {"depth", "step1_shadowmap/shaders/show_depth.glsl",
+     "step1_shadowmap/shaders/scale_grey.glsl",
+     "0 near     depth from the light    1 far"},
+    {"layer", "step1_shadowmap/shaders/show_layer.glsl",
+     "step1_shadowmap/shaders/scale_hue.glsl",
+     "0          layer of the map            7"},
+    {NULL, NULL, NULL, NULL},
+};
+
+static const ShowMode *find_show(const ShowMode *list, const char *name)
 {
-    return (BaseSettings){.scene = "teapot",
+    for (; list != NULL && list->name != NULL; list++) {
+        if (strcmp(list->name, name) == 0) {
+            return list;
+        }
+    }
+    return NULL;
+}
+
+const ShowMode *base_show_mode(const BaseSettings *settings)
+{
+    const ShowMode *mode = find_show(shows, settings->show);
+    if (mode == NULL) {
+        mode = find_show(settings->more_shows, settings->show);
+    }
+    if (mode == NULL) {
+        die_usage("--show '%s': allowed are shaded, visibility, depth, "
+                  "layer%s",
+                  settings->show,
+                  settings->more_shows ? ", mean, variance" : "");
+    }
+    return mode;
+}
+
+BaseSettings base_settings(const char *output, const ShowMode *more_shows)
+{
+    return (BaseSettings){.more_shows = more_shows,
+                          .scene = "teapot",
                           .size = {1280, 720},
                           .map_size = {512, 512},
                           .output = output,
@@ -88,6 +127,7 @@ void base_settings_check(const BaseSettings *settings,
         scene_list(stdout);
         exit(0);
     }
+    base_show_mode(settings);
     if (!image_name_is_known(settings->output)) {
         die_usage("--output '%s': the name has to end in .png or .exr",
                   settings->output);

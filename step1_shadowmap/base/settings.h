@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "step1_shadowmap/base/gl.h"      // ShaderFiles
+#include "step1_shadowmap/base/legend.h"  // ShowMode
 #include "step1_shadowmap/base/options.h" // Option
 
 typedef struct BaseSettings {
@@ -14,8 +15,9 @@ typedef struct BaseSettings {
     int map_size[2]; // of the shadow map, texels
     const char *output;
     const char *show;
-    const char *dump;    // directory, or NULL
-    const char *shaders; // directory, or NULL
+    const ShowMode *more_shows; // what the step adds to the choices, or NULL
+    const char *dump;           // directory, or NULL
+    const char *shaders;        // directory, or NULL
     const char *context;
     int bench; // frames to time, or 0
 } BaseSettings;
@@ -23,7 +25,12 @@ typedef struct BaseSettings {
 extern const Option base_options[];
 
 // The defaults; `output` is where the picture goes if no option says.
-BaseSettings base_settings(const char *output);
+// `more_shows` are choices of --show besides the four that every step has; the
+// list ends with a NULL name.
+BaseSettings base_settings(const char *output, const ShowMode *more_shows);
+
+// The choice that --show names; refuses (status 2) any other name.
+const ShowMode *base_show_mode(const BaseSettings *settings);
 
 // Answers --list-scenes (and exits with 0), refuses an output name with an
 // unknown ending (status 2) and makes the directories of the default output

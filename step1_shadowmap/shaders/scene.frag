@@ -20,6 +20,6 @@ void main()
         lit = visibility(receiver);
     }
     vec3 shaded = albedo * (ambient + radiance * max(facing, 0.0) * lit);
-    color = vec4(show(shaded, lit), 1.0);
+    color = vec4(show(shaded, receiver, lit), 1.0);
     dump(receiver, relative_position, lit);
 }

@@ -1,6 +1,6 @@
 // --show visibility
 
-vec3 show(vec3 shaded, float lit)
+vec3 show(vec3 shaded, Receiver receiver, float lit)
 {
     return vec3(lit);
 }

@@ -1,0 +1,6 @@
+// --show depth: how deep each point is, as the light sees it.
+
+vec3 show(vec3 shaded, Receiver receiver, float lit)
+{
+    return scale_color(receiver.depth);
+}

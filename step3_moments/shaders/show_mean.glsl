@@ -1,0 +1,8 @@
+// --show mean: the mean depth M1 that the map holds where each point looks it
+// up. Where it is darker than --show depth, something is nearer to the light.
+
+vec3 show(vec3 shaded, Receiver receiver, float lit)
+{
+    return scale_color(
+        texture(shadow_map, vec3(receiver.uv, float(receiver.layer))).r);
+}
