@@ -5,6 +5,7 @@
 #include <glad/gl.h> // glFinish
 #include <stdio.h>   // printf
 #include <stdlib.h>  // free, qsort
+#include <string.h>  // memcpy
 #include <time.h>    // clock_gettime
 
 #include "step1_shadowmap/base/die.h" // allocate, die
@@ -62,28 +63,35 @@ static double quantile(const double *sorted, int count, double part)
     return sorted[index] + (place - index) * (sorted[next] - sorted[index]);
 }
 
-static void print_line(const char *name, double *samples, int count)
+static void print_line(const char *name, const double *samples, int count)
 {
-    qsort(samples, (size_t)count, sizeof *samples, compare);
-    printf("%s,%.4f,%.4f,%.4f,%d,glFinish+CLOCK_MONOTONIC\n", name,
-           quantile(samples, count, 0.5), quantile(samples, count, 0.25),
-           quantile(samples, count, 0.75), count);
+    size_t bytes = (size_t)count * sizeof *samples;
+    double *sorted = allocate(1, bytes);
+    memcpy(sorted, samples, bytes);
+    qsort(sorted, (size_t)count, sizeof *sorted, compare);
+    printf("%s,%.4f,%.4f,%.4f,%d,glFinish+CLOCK_MONOTONIC,", name,
+           quantile(sorted, count, 0.5), quantile(sorted, count, 0.25),
+           quantile(sorted, count, 0.75), count);
+    for (int i = 0; i < count; i++) {
+        printf("%s%.4f", i ? " " : "", samples[i]);
+    }
+    putchar('\n');
+    free(sorted);
 }
 
 void stopwatch_print(const Stopwatch *stopwatch)
 {
     int count = stopwatch->frames - STOPWATCH_WARM_UP;
-    double *samples = allocate((size_t)count, sizeof *samples);
     double *total = allocate((size_t)count, sizeof *total);
-    puts("pass,median_ms,quartile1_ms,quartile3_ms,frames,clock");
+    puts("pass,median_ms,quartile1_ms,quartile3_ms,frames,clock,samples_ms");
     for (int pass = 0; pass < stopwatch->passes; pass++) {
+        const double *samples =
+            stopwatch->milliseconds[pass] + STOPWATCH_WARM_UP;
         for (int i = 0; i < count; i++) {
-            samples[i] = stopwatch->milliseconds[pass][i + STOPWATCH_WARM_UP];
             total[i] += samples[i];
         }
         print_line(stopwatch->name[pass], samples, count);
     }
     print_line("total", total, count);
     free(total);
-    free(samples);
 }

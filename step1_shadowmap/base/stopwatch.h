@@ -31,7 +31,8 @@ double stopwatch_last(const Stopwatch *stopwatch, int pass);
 
 // Prints, as CSV on stdout, a header and for each pass and for their total:
 // name, median, first and third quartile over the frames after the warm-up
-// (milliseconds), number of these frames, and the clock.
+// (milliseconds), number of these frames, the clock, and each frame's time,
+// so that several runs can be pooled.
 void stopwatch_print(const Stopwatch *stopwatch);
 
 #endif

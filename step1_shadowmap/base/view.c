@@ -6,6 +6,9 @@
 
 #include "step1_shadowmap/base/dvec.h" // dvec_cross, dvec_dot, dvec_frame, ...
 
+// A triangle gains at most a corner from each half-space.
+enum { MAX_CORNERS = 8 };
+
 // The light's axes and what they span.
 typedef struct LightFrame {
     double axes[3][3]; // right, up, direction: unit, in world axes
@@ -23,17 +26,17 @@ static void vertex_relative(const Object *object, const double origin[3],
     }
 }
 
-static void frame_coordinates(const LightFrame *frame, const double position[3],
+static void frame_coordinates(double axes[3][3], const double position[3],
                               double result[3])
 {
     for (int axis = 0; axis < 3; axis++) {
-        result[axis] = dvec_dot(frame->axes[axis], position);
+        result[axis] = dvec_dot(axes[axis], position);
     }
 }
 
-static void include(LightFrame *frame, const double point[3], int first_axis)
+static void include_point(LightFrame *frame, const double point[3])
 {
-    for (int axis = first_axis; axis < 3; axis++) {
+    for (int axis = 0; axis < 3; axis++) {
         frame->low[axis] = fmin(frame->low[axis], point[axis]);
         frame->high[axis] = fmax(frame->high[axis], point[axis]);
     }
@@ -53,26 +56,26 @@ static void bound_casters(LightFrame *frame, const Scene *scene,
             double relative[3];
             double point[3];
             vertex_relative(object, origin, k, relative);
-            frame_coordinates(frame, relative, point);
+            frame_coordinates(frame->axes, relative, point);
             if (object->casts || !any) {
-                include(frame, point, 0);
+                include_point(frame, point);
             }
         }
     }
 }
 
-// Cuts a convex polygon with the half-space sign * point[axis] <= limit
+// Cuts a convex polygon with the half-space dot(normal, p) <= limit
 // (Sutherland and Hodgman). Returns the new number of corners.
-static int clip(double polygon[][3], int count, int axis, double sign,
+static int clip(double polygon[][3], int count, const double normal[3],
                 double limit)
 {
-    double result[16][3];
+    double result[MAX_CORNERS][3];
     int kept = 0;
     for (int i = 0; i < count; i++) {
         const double *a = polygon[i];
         const double *b = polygon[(i + 1) % count];
-        double inside_a = limit - sign * a[axis];
-        double inside_b = limit - sign * b[axis];
+        double inside_a = limit - dvec_dot(normal, a);
+        double inside_b = limit - dvec_dot(normal, b);
         if (inside_a >= 0) {
             dvec_copy(a, result[kept++]);
         }
@@ -88,25 +91,46 @@ static int clip(double polygon[][3], int count, int axis, double sign,
     return kept;
 }
 
-// Widens the depth range to the part of one triangle that is inside the
-// rectangle, or outside by at most `around`.
-static void include_depth(LightFrame *frame, const Object *object,
-                          const double origin[3], const uint32_t corners[3],
-                          double around)
+// Four half-spaces, and the range along the third axis of what is in them.
+typedef struct Region {
+    double normals[4][3];
+    double limits[4];
+    double low, high;
+} Region;
+
+// Widens the region's range to the part of one triangle that is inside, in the
+// coordinates of the axes.
+static void include_triangle(Region *region, double axes[3][3],
+                             const Object *object, const double origin[3],
+                             const uint32_t corners[3])
 {
-    double polygon[16][3];
+    double polygon[MAX_CORNERS][3];
     for (int k = 0; k < 3; k++) {
         double relative[3];
         vertex_relative(object, origin, corners[k], relative);
-        frame_coordinates(frame, relative, polygon[k]);
+        frame_coordinates(axes, relative, polygon[k]);
     }
     int count = 3;
-    for (int axis = 0; axis < 2; axis++) {
-        count = clip(polygon, count, axis, 1, frame->high[axis] + around);
-        count = clip(polygon, count, axis, -1, around - frame->low[axis]);
+    for (int i = 0; i < 4; i++) {
+        count = clip(polygon, count, region->normals[i], region->limits[i]);
     }
     for (int k = 0; k < count; k++) {
-        include(frame, polygon[k], 2);
+        region->low = fmin(region->low, polygon[k][2]);
+        region->high = fmax(region->high, polygon[k][2]);
+    }
+}
+
+static void include_scene(Region *region, double axes[3][3], const Scene *scene,
+                          const double origin[3])
+{
+    region->low = INFINITY;
+    region->high = -INFINITY;
+    for (int i = 0; i < scene->object_count; i++) {
+        const Object *object = &scene->objects[i];
+        for (size_t k = 0; k < object->mesh->index_count; k += 3) {
+            include_triangle(region, axes, object, origin,
+                             object->mesh->indices + k);
+        }
     }
 }
 
@@ -119,15 +143,13 @@ static void bound_depth(LightFrame *frame, const Scene *scene,
 {
     double texel = (frame->high[0] - frame->low[0]) / views->width;
     double around = texel * views->border;
-    frame->low[2] = INFINITY;
-    frame->high[2] = -INFINITY;
-    for (int i = 0; i < scene->object_count; i++) {
-        const Object *object = &scene->objects[i];
-        for (size_t k = 0; k < object->mesh->index_count; k += 3) {
-            include_depth(frame, object, views->origin,
-                          object->mesh->indices + k, around);
-        }
-    }
+    Region region = {.normals = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}},
+                     .limits = {frame->high[0] + around, around - frame->low[0],
+                                frame->high[1] + around,
+                                around - frame->low[1]}};
+    include_scene(&region, frame->axes, scene, views->origin);
+    frame->low[2] = region.low;
+    frame->high[2] = region.high;
 }
 
 // Widens the rectangle to the whole map: the border around it, and square
@@ -190,22 +212,8 @@ static void fit_light(Views *views, const Scene *scene, LightView *view)
     view->map_from_relative[3][3] = 1;
 }
 
-// How far the scene reaches in front of the camera, world units.
-static double scene_depth(const Scene *scene, const double origin[3],
-                          const double forward[3])
-{
-    double depth = 0;
-    for (int i = 0; i < scene->object_count; i++) {
-        const Object *object = &scene->objects[i];
-        for (size_t k = 0; k < object->mesh->vertex_count; k++) {
-            double relative[3];
-            vertex_relative(object, origin, k, relative);
-            depth = fmax(depth, dvec_dot(forward, relative));
-        }
-    }
-    return depth;
-}
-
+// The near and far planes are fitted to what is in the picture: a depth buffer
+// has few digits left for surfaces that are far behind its near plane.
 static void fit_camera(Views *views, const Scene *scene, double aspect)
 {
     const Camera *camera = &scene->camera;
@@ -213,12 +221,17 @@ static void fit_camera(Views *views, const Scene *scene, double aspect)
     dvec_subtract(camera->target, camera->position, axes[2]);
     dvec_normalize(axes[2]);
     dvec_frame(axes[2], camera->up, axes[0], axes[1]);
-    double far = 1.01 * scene_depth(scene, views->origin, axes[2]);
-    double near = 1e-3 * far;
-    double zoom = 1 / tan(0.5 * camera->fov_y);
+    double tall = tan(0.5 * camera->fov_y);
+    double wide = tall * aspect;
+    Region region = {
+        .normals = {
+            {1, 0, -wide}, {-1, 0, -wide}, {0, 1, -tall}, {0, -1, -tall}}};
+    include_scene(&region, axes, scene, views->origin);
+    double far = region.high > 0 ? 1.01 * region.high : 1;
+    double near = fmin(fmax(0.99 * region.low, 1e-6 * far), 0.5 * far);
     for (int k = 0; k < 3; k++) {
-        views->clip_from_relative[0][k] = axes[0][k] * zoom / aspect;
-        views->clip_from_relative[1][k] = axes[1][k] * zoom;
+        views->clip_from_relative[0][k] = axes[0][k] / wide;
+        views->clip_from_relative[1][k] = axes[1][k] / tall;
         views->clip_from_relative[2][k] =
             axes[2][k] * (far + near) / (far - near);
         views->clip_from_relative[3][k] = axes[2][k];

@@ -28,5 +28,6 @@ float visibility(Receiver receiver)
             lit += receiver.depth - bias <= occluder ? weight : 0.0;
         }
     }
-    return lit / float(kernel * kernel);
+    // The weights add up to n^2 only up to rounding.
+    return min(lit / float(kernel * kernel), 1.0);
 }

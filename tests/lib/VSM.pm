@@ -55,6 +55,7 @@ sub command {
         open STDOUT, '>&', $out;
         open STDERR, '>&', $err;
         alarm $SECONDS;    # goes on across exec
+        no warnings 'exec';    # the line below says it
         exec { $words[0] } @words;
         print STDERR "cannot run $words[0]: $!\n";
         POSIX::_exit(127);    # not exit: the END blocks are the parent's
