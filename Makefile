@@ -14,8 +14,8 @@ include $(PROGRAMS:%=%/Makefile)
 include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
-.PHONY: all programs set-up set-up-tests test mutants standalone diff \
-    figures lint format clean help
+.PHONY: all programs set-up set-up-tests test mutants sanitize report \
+    standalone diff figures lint format clean help
 
 # What each Debian package is recognised by.
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
@@ -29,7 +29,7 @@ set-up: ## install the packages that are missing (DEPS=no: only name them)
 # A picture is made again when its program or any shader has changed.
 SHADERS := $(wildcard step*/shaders/*)
 .SECONDEXPANSION:
-out/step%.png: build/$$(wildcard step$$*_*) $(SHADERS)
+out/step%.png: $(BUILD)/$$(wildcard step$$*_*) $(SHADERS)
 	@mkdir -p out
 	$< --output $@
 
@@ -57,7 +57,7 @@ diff: ## what step STEP changes against the step before it
 
 figures: programs ## make every committed picture again
 	@for p in $(PROGRAMS); do \
-	    build/$$p --size 640x360 --output $$p/figure.png || exit 1; done
+	    $(BUILD)/$$p --size 640x360 --output $$p/figure.png || exit 1; done
 
 clean: ## remove build/ and out/
 	rm -rf build out

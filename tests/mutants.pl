@@ -8,101 +8,139 @@ use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
 
-# name => [step whose tests must fail, shader, what stands there, the mistake]
+# name => [test that must fail, shader, what stands there, the mistake]
 my %mutants = (
     'every tap reads the same texel' => [
-        2, 'step2_pcf/shaders/pcf.glsl',
+        'step2', 'step2_pcf/shaders/pcf.glsl',
         'middle + ivec2(x, y)',
         'middle + 0 * ivec2(x, y)'
     ],
     'a comparison the wrong way round' => [
-        1, 'step1_shadowmap/shaders/hard.glsl',
+        'step1', 'step1_shadowmap/shaders/hard.glsl',
         '- bias <= occluder', '- bias >= occluder'
     ],
     'a bias of the wrong sign' => [
-        1, 'step1_shadowmap/shaders/hard.glsl',
+        'step1', 'step1_shadowmap/shaders/hard.glsl',
         'depth - bias', 'depth + bias'
     ],
     'half a texel off' => [
-        1, 'step1_shadowmap/shaders/hard.glsl',
+        'step1', 'step1_shadowmap/shaders/hard.glsl',
         'ivec2(receiver.uv * vec2(size))',
         'ivec2(receiver.uv * vec2(size) + 0.5)'
     ],
     'the picture upside down' => [
-        1, 'step1_shadowmap/shaders/scene.vert',
+        'step1', 'step1_shadowmap/shaders/scene.vert',
         'clip_from_relative * relative;',
         'clip_from_relative * relative; gl_Position.y = -gl_Position.y;'
     ],
     'the map upside down' => [
-        1, 'step1_shadowmap/shaders/map.vert',
+        'step1', 'step1_shadowmap/shaders/map.vert',
         'vec4(2.0 * map_position - 1.0, 1.0)',
         'vec4(2.0 * map_position - 1.0, 1.0) * vec4(1, -1, 1, 1)'
     ],
     'visible although it faces away' => [
-        1, 'step1_shadowmap/shaders/scene.frag',
+        'step1', 'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0 ? 1.0 : 0.0', '1.0'
     ],
     'half the slope bias' => [
-        2, 'step1_shadowmap/shaders/bias.glsl',
+        'step2', 'step1_shadowmap/shaders/bias.glsl',
         '0.5 * float(kernel + 1)', '0.25 * float(kernel + 1)'
     ],
     'one tap row forgotten' => [
-        2, 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
+        'step2', 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
     ],
     'both moments scaled' => [
-        3, 'step3_moments/shaders/moments.frag',
+        'step3', 'step3_moments/shaders/moments.frag',
         'vec2(depth, depth * depth)',
         '0.5 * vec2(depth, depth * depth)'
     ],
     'M2 is not the square' => [
-        3, 'step3_moments/shaders/moments.frag',
+        'step3', 'step3_moments/shaders/moments.frag',
         'depth * depth', 'depth'
     ],
     'compared with M2' =>
-      [ 3, 'step3_moments/shaders/mean.glsl', 'moments.x', 'moments.y' ],
+      [ 'step3', 'step3_moments/shaders/mean.glsl', 'moments.x', 'moments.y' ],
     'only one axis blurred' => [
-        4, 'step4_blur/shaders/blur.frag',
+        'step4', 'step4_blur/shaders/blur.frag',
         'i * axis', 'i * ivec2(axis.x, 0)'
     ],
     'a kernel that is not normalised' => [
-        4, 'step4_blur/shaders/blur.frag',
+        'step4', 'step4_blur/shaders/blur.frag',
         'weight * map_texel', '1.01 * weight * map_texel'
     ],
     'half a texel off while downsampling' => [
-        4, 'step4_blur/shaders/downsample.frag',
+        'step4', 'step4_blur/shaders/downsample.frag',
         '* factor;', '* factor + 1;'
     ],
     'M2 from the blurred mean' => [
-        4, 'step4_blur/shaders/blur.frag',
+        'step4', 'step4_blur/shaders/blur.frag',
         "texelFetch(weights, ivec2(i + radius, 0), 0).r;\n"
           . "        moments += weight * map_texel(middle + i * axis);\n    }",
         "texelFetch(weights, ivec2(i + radius, 0), 0).r;\n"
           . "        moments += weight * map_texel(middle + i * axis);\n    }\n"
           . '    moments.y = moments.x * moments.x;'
     ],
+    'the blur returns its input' => [
+        'step4', 'step4_blur/shaders/blur.frag',
+        'moments += weight * map_texel(middle + i * axis);',
+        'moments = map_texel(middle);'
+    ],
+    'one texel out of range' => [
+        'step3',
+        'step3_moments/shaders/moments.frag',
+        'vec2(depth, depth * depth);',
+        "vec2(depth, depth * depth);\n"
+          . '    if (ivec2(gl_FragCoord.xy) == ivec2(99)) moments *= 100.0;'
+    ],
+    'one texel that is no number' => [
+        'step3',
+        'step3_moments/shaders/moments.frag',
+        'vec2(depth, depth * depth);',
+        "vec2(depth, depth * depth);\n"
+          . '    if (ivec2(gl_FragCoord.xy) == ivec2(99)) moments /= 0.0;'
+    ],
+    'the map\'s edge goes on outside' => [
+        'step4',
+        'step4_blur/shaders/map_texel.glsl',
+        ': vec2(1.0)',
+        ': texelFetch(map, ivec3(clamp(texel, ivec2(0), size - 1), layer),'
+          . ' 0).rg'
+    ],
+    'the mean in place of the variance' => [
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
+        'variance / (variance + behind', 'moments.x / (moments.x + behind'
+    ],
+    'weights of 2 x 2 swapped' => [
+        'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'return 1.0 - part;', 'return part;'
+    ],
+    'the wrong row of the kernel' => [
+        'truths', 'step4_blur/shaders/blur.frag',
+        'ivec2(i + radius, 0)', 'ivec2(abs(i), 0)'
+    ],
     'what is outside the map is near' => [
-        4, 'step4_blur/shaders/map_texel.glsl', 'vec2(1.0)', 'vec2(0.0)'
+        'step4', 'step4_blur/shaders/map_texel.glsl', 'vec2(1.0)', 'vec2(0.0)'
     ],
     'no least variance' => [
-        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'max(moments.y - moments.x * moments.x, least)',
         '(moments.y - moments.x * moments.x)'
     ],
     'lit is not told from shadowed' => [
-        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'behind > 0.0 ? p_max : 1.0', 'p_max'
     ],
     'the bound turned round' => [
-        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'behind > 0.0 ? p_max : 1.0',
         'behind < 0.0 ? p_max : 1.0'
     ],
     'a distance that is not squared' => [
-        5, 'step5_chebyshev/shaders/chebyshev.glsl',
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'behind * behind', 'abs(behind)'
     ],
     'reduction without the clamp' => [
-        5,
+        'step5',
         'step5_chebyshev/shaders/chebyshev.glsl',
         "clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0,\n"
           . '                 1.0)',
@@ -135,10 +173,10 @@ sub plant {
 # The first test that fails with these shaders, or nothing. The tests after
 # it are not run: one is enough.
 sub first_failure {
-    my ( $step, $folder ) = @_;
+    my ( $test, $folder ) = @_;
     local $ENV{VSM_SHADERS} = $folder;
     my $child = open my $tap, '-|',
-      "exec perl -Itests/lib tests/images/step$step.t 2>/dev/null"
+      "exec perl -Itests/lib tests/images/$test.t 2>/dev/null"
       or die "cannot run perl: $!\n";
     while (<$tap>) {
         next unless /^not ok \d+ - (.*)$/;
@@ -147,19 +185,20 @@ sub first_failure {
         close $tap;
         return $failure;
     }
-    return close $tap ? undef : 'the program itself failed';
+    return if close $tap;
+    die "the mutant does not run: $folder\n";
 }
 
 my @names = @ARGV ? @ARGV : sort keys %mutants;
 my ( $caught, $survived ) = ( 0, 0 );
 for my $name (@names) {
     my $mutant = $mutants{$name} or die "there is no mutant '$name'\n";
-    my ( $step, @change ) = @$mutant;
-    my $failure = first_failure( $step, plant(@change) );
+    my ( $test, @change ) = @$mutant;
+    my $failure = first_failure( $test, plant(@change) );
     if ( defined $failure ) { $caught++ }
     else                    { $survived++ }
-    printf "%-8s %s: step %d, %s\n", $failure ? 'caught' : 'SURVIVED',
-      $name, $step, $failure // 'no test failed';
+    printf "%-8s %s: %s.t, %s\n", $failure ? 'caught' : 'SURVIVED',
+      $name, $test, $failure // 'no test failed';
 }
 print "$caught caught, $survived survived\n";
 exit( $survived ? 1 : 0 );

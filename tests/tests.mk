@@ -12,8 +12,8 @@ set-up-tests: set-up
 # The oracle shares the scene table and the meshes with the programs, and
 # nothing else. No fused multiply-add: its error bounds count roundings.
 ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
-ORACLE_OBJECTS := $(ORACLE_SOURCES:%=build/obj/%.o)
-ORACLE_SHARED := $(patsubst %,build/obj/step1_shadowmap/base/%.c.o,\
+ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
+ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
     scene mesh die)
 EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\
     $(firstword $(wildcard /usr/include/embree*/rtcore.h)))
@@ -22,8 +22,8 @@ $(ORACLE_OBJECTS): PACKAGES := glm OpenImageIO
 $(ORACLE_OBJECTS): CXXFLAGS += -ffp-contract=off
 $(ORACLE_OBJECTS): WARNINGS := -Wall -Wextra -Wpedantic -Wshadow
 $(ORACLE_OBJECTS): | set-up-tests
-build/oracle: PACKAGES := OpenImageIO
-build/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED)
+$(BUILD)/oracle: PACKAGES := OpenImageIO
+$(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED)
 	@echo link $@
 	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
 -include $(ORACLE_OBJECTS:.o=.d)
@@ -34,14 +34,26 @@ else
 TESTS = -r tests/images tests/robustness
 endif
 
-test: set-up-tests programs build/oracle ## set up, build, test (STEP=n: one step only)
-	@perl tests/run.pl $(TESTS)
+test: set-up-tests programs $(BUILD)/oracle ## set up, build, test (STEP=n: one step only)
+	@VSM_BUILD=$(BUILD) perl tests/run.pl $(TESTS)
 
-mutants: set-up-tests programs build/oracle ## plant mistakes one at a time: each must be caught
-	@perl tests/mutants.pl
+# Everything once more, with the programs watching their own memory. The two
+# leaks that are OSMesa's own are not counted (tests/lsan.supp).
+SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
+    -fno-sanitize-recover=undefined
+sanitize: ## run every test on programs built with ASan and UBSan
+	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0 \
+	    VSM_SLOW=1 $(MAKE) BUILD=build/sanitize CFLAGS='$(SANITIZE)' \
+	    CXXFLAGS='$(SANITIZE)' LDFLAGS='$(SANITIZE)' test
+
+report: set-up-tests programs $(BUILD)/oracle ## error against run time, as a table and out/report/results.csv
+	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
+
+mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
+	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
 CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
-lint: programs build/oracle ## compile with gcc and clang without a warning, check the format
+lint: programs $(BUILD)/oracle ## compile with gcc and clang without a warning, check the format
 	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'lint' $(LINT_RECOGNISED)
 	@clang-format --dry-run --Werror $(CODE)
 	@sh tests/lint.sh

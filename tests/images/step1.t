@@ -19,7 +19,7 @@ for my $options (
     [qw(--bias 0 --slope-bias 0)],
     [qw(--bias 0.02 --slope-bias 3)],
     [qw(--scene teapot:elevation=20)],
-    [qw(--scene teapot:offset=1000,scale=0.01)],
+    [ '--scene', 'teapot:offset=1000,scale=0.01' ],
   )
 {
     my $dump = dump_run( 1, @small, @$options );

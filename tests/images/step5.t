@@ -39,7 +39,7 @@ for my $options (
     [qw(--min-variance 1e-3)],
     [qw(--map-size 300x180)],
     [qw(--scene teapot:elevation=20)],
-    [qw(--scene teapot:offset=1000,scale=0.01)],
+    [ '--scene', 'teapot:offset=1000,scale=0.01' ],
   )
 {
     oracle( 'stage', dump_run( 5, @bare, @$options ) );

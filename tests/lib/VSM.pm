@@ -3,6 +3,7 @@
 #
 # VSM_SHADERS=DIR  every program looks for its shaders there first; how
 #                  `make mutants` plants its mistakes
+# VSM_BUILD=DIR    where the programs are, if not in build/
 # VSM_SLOW=1       ten times the time limit, for builds with a sanitizer
 package VSM;
 
@@ -27,6 +28,7 @@ our @EXPORT = qw(root program_name program command run dump_run oracle
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
 my $SHADERS = $ENV{VSM_SHADERS} && File::Spec->rel2abs( $ENV{VSM_SHADERS} );
+my $BUILD   = File::Spec->rel2abs( $ENV{VSM_BUILD} // 'build', $ROOT );
 my $SECONDS = $ENV{VSM_SLOW} ? 600 : 60;
 
 my %dumps;    # folder by step and arguments
@@ -41,7 +43,7 @@ sub program_name {
     return basename($folder);
 }
 
-sub program { return "$ROOT/build/" . program_name(@_) }
+sub program { return "$BUILD/" . program_name(@_) }
 
 # Runs a command without a shell, with nothing to read and a time limit.
 # Returns {status, signal, out, err}; running out of time is signal 14.
@@ -84,7 +86,7 @@ sub dump_run {
     my $key = sha1_hex( join "\0", basename($0), $SHADERS // '', $step,
         @arguments );
     return $dumps{$key} if $dumps{$key};
-    my $folder = "$ROOT/build/test/$key";
+    my $folder = "$BUILD/test/$key";
     remove_tree($folder);    # an earlier program's files prove nothing
     make_path($folder);
     my $run = run( $step, @arguments, '--dump', $folder, '--output',
@@ -109,7 +111,7 @@ END {
 # whether all passed.
 sub oracle {
     my ( $check, $folder, @arguments ) = @_;
-    my $run = command( "$ROOT/build/oracle", $check, $folder, @arguments );
+    my $run = command( "$BUILD/oracle", $check, $folder, @arguments );
     my ( $lines, $passed ) = ( 0, 1 );
     for ( split /\n/, $run->{out} ) {
         my ( $verdict, $text ) = /^(PASS|FAIL) (.*)/ or next;

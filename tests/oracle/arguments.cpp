@@ -4,7 +4,8 @@
 #include <cstdlib>   // strtod
 
 Arguments::Arguments(const std::vector<std::string> &words,
-                     const std::vector<std::string> &allowed) {
+                     const std::vector<std::string> &allowed)
+{
     for (const std::string &word : words) {
         size_t equals = word.find('=');
         std::string key = word.substr(0, equals);
@@ -19,7 +20,8 @@ Arguments::Arguments(const std::vector<std::string> &words,
     }
 }
 
-double Arguments::number(const std::string &key, double fallback) const {
+double Arguments::number(const std::string &key, double fallback) const
+{
     auto found = values_.find(key);
     return found == values_.end() ? fallback : found->second;
 }

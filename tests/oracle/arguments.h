@@ -8,8 +8,9 @@
 
 #include "tests/oracle/report.h"
 
-class Arguments {
-public:
+class Arguments
+{
+  public:
     // Throws BadInput for a word that is not key=value or whose key is not
     // among `allowed`.
     Arguments(const std::vector<std::string> &words,
@@ -18,7 +19,7 @@ public:
     // The number given for `key`, or `fallback` when it was not given.
     double number(const std::string &key, double fallback) const;
 
-private:
+  private:
     std::map<std::string, double> values_;
 };
 

@@ -9,7 +9,8 @@
 // some of them, and near the worst share p is flat: 2 % is one such step.
 static constexpr double TOLERANCE = 0.02;
 
-namespace {
+namespace
+{
 
 struct BleedMap {
     MapView view;
@@ -21,14 +22,14 @@ struct BleedMap {
 
 // All of the filter sees the upper or the lower occluder: nothing is lit.
 static bool all_covered(const BleedMap &map, const Footprint &across,
-                        const Footprint &up) {
+                        const Footprint &up)
+{
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
             int x = across.first + int(i), y = up.first + int(j);
             if (across.weights[i] * up.weights[j] == 0)
                 continue;
-            if (x < 0 || y < 0 || x >= map.view.width ||
-                y >= map.view.height)
+            if (x < 0 || y < 0 || x >= map.view.width || y >= map.view.height)
                 return false;
             size_t texel = size_t(y) * size_t(map.view.width) + size_t(x);
             if (map.under_upper[texel] != Place::INSIDE &&
@@ -39,19 +40,19 @@ static bool all_covered(const BleedMap &map, const Footprint &across,
 }
 
 static bool on_floor_in_shadow(const Run &run, const BleedMap &map,
-                               const Receiver &r, double nearer) {
-    if (!r.shown || !inside_map(r) ||
-        facing(r, map.view) != Facing::TOWARDS ||
+                               const Receiver &r, double nearer)
+{
+    if (!r.shown || !inside_map(r) || facing(r, map.view) != Facing::TOWARDS ||
         std::abs(r.t - map.floor) >= std::abs(r.t - nearer))
         return false;
     int f = run.settings.downsample, radius = run.settings.radius;
-    return all_covered(
-        map, lookup_footprint(r.u, 0, map.view.width, f, radius),
-        lookup_footprint(r.v, 0, map.view.height, f, radius));
+    return all_covered(map, lookup_footprint(r.u, 0, map.view.width, f, radius),
+                       lookup_footprint(r.v, 0, map.view.height, f, radius));
 }
 
 static double brightest(const Run &run, const BleedMap &map, double nearer,
-                        size_t &count) {
+                        size_t &count)
+{
     Receivers receivers(run);
     double most = 0;
     for (int y = 0; y < run.height; y++)
@@ -68,7 +69,8 @@ static double brightest(const Run &run, const BleedMap &map, double nearer,
 }
 
 void check_bleed(const Run &run, const SceneTable &table, double r,
-                 Report &report) {
+                 Report &report)
+{
     if (run.step != 5 || run.settings.bleed_reduction != 0)
         throw BadInput("bleed needs step 5 with bleed-reduction 0");
     MapRectangle upper(table, run, "upper"), lower(table, run, "lower");
@@ -77,8 +79,7 @@ void check_bleed(const Run &run, const SceneTable &table, double r,
     double own_r = (lower.depth() - upper.depth()) / gap;
     report.line(std::abs(own_r - r) <= 1e-6 * r, "bleed: the scene's gaps",
                 "r = %.6g, asked for %.6g", own_r, r);
-    BleedMap map{run.views.at(0), floor.depth(),
-                 places(upper, run.views.at(0)),
+    BleedMap map{run.views.at(0), floor.depth(), places(upper, run.views.at(0)),
                  places(lower, run.views.at(0))};
     size_t count = 0;
     double measured = brightest(run, map, lower.depth(), count);

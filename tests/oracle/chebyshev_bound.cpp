@@ -2,21 +2,23 @@
 
 #include "tests/oracle/rounding.h"
 
-static Interval minimum_variance(Interval m2, const Settings &settings) {
+static Interval minimum_variance(Interval m2, const Settings &settings)
+{
     if (settings.auto_variance) // a power of two times m2: exact in float
         return 4 * UNIT_ROUNDOFF * m2;
     return rounded(settings.min_variance, UNIT_ROUNDOFF);
 }
 
-static Interval variance_of(Interval m1, Interval m2,
-                            const Settings &settings) {
+static Interval variance_of(Interval m1, Interval m2, const Settings &settings)
+{
     Interval squared = rounded(square(m1), UNIT_ROUNDOFF);
     Interval difference = rounded(m2 - squared, UNIT_ROUNDOFF);
     return maximum(difference, minimum_variance(m2, settings));
 }
 
 static Interval p_max(Interval m1, Interval m2, Interval t,
-                      const Settings &settings) {
+                      const Settings &settings)
+{
     Interval above = rounded(t - m1, UNIT_ROUNDOFF);
     if (above.hi <= 0)
         return 1;
@@ -32,7 +34,8 @@ static Interval p_max(Interval m1, Interval m2, Interval t,
 }
 
 Interval chebyshev(Interval m1, Interval m2, Interval t,
-                   const Settings &settings) {
+                   const Settings &settings)
+{
     double a = settings.bleed_reduction;
     Interval p = p_max(m1, m2, t, settings);
     if (a == 0)
@@ -41,19 +44,20 @@ Interval chebyshev(Interval m1, Interval m2, Interval t,
     return clamp(rounded(above / (1 - a), rounding_share(6)), 0, 1);
 }
 
-double chebyshev_exact(double m1, double m2, double t,
-                       const Settings &settings) {
+double chebyshev_exact(double m1, double m2, double t, const Settings &settings)
+{
     if (t <= m1)
         return 1;
-    double floor = settings.auto_variance ? 4 * UNIT_ROUNDOFF * m2
-                                          : settings.min_variance;
+    double floor =
+        settings.auto_variance ? 4 * UNIT_ROUNDOFF * m2 : settings.min_variance;
     double variance = std::max(m2 - m1 * m1, floor);
     double p = variance / (variance + (t - m1) * (t - m1));
     double a = settings.bleed_reduction;
     return std::clamp((p - a) / (1 - a), 0.0, 1.0);
 }
 
-double blur_share(const Settings &settings) {
+double blur_share(const Settings &settings)
+{
     int f = settings.downsample, n = 2 * settings.radius + 1;
     int operations = f > 1 ? f * f + 1 : 0;
     operations += n > 1 ? 2 * (n + 1) : 0;

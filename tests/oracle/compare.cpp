@@ -6,13 +6,15 @@
 #include "tests/oracle/picture.h"
 
 static bool check_finite(const Picture &picture, const std::string &name,
-                         Report &report) {
+                         Report &report)
+{
     size_t bad = count_non_finite(picture);
     report.line(bad == 0, name, "%zu values not finite", bad);
     return bad == 0;
 }
 
-namespace {
+namespace
+{
 
 struct Difference {
     double largest = 0, squares = 0;
@@ -21,7 +23,8 @@ struct Difference {
 
 } // namespace
 
-static Difference difference(const Picture &a, const Picture &b) {
+static Difference difference(const Picture &a, const Picture &b)
+{
     Difference d;
     for (int y = 0; y < a.height; y++)
         for (int x = 0; x < a.width; x++) {
@@ -40,10 +43,10 @@ static Difference difference(const Picture &a, const Picture &b) {
 }
 
 void compare_pictures(const std::string &first, const std::string &second,
-                      double most, double share, Report &report) {
+                      double most, double share, Report &report)
+{
     Picture a = load_picture(first), b = load_picture(second);
-    if (a.width != b.width || a.height != b.height ||
-        a.channels != b.channels)
+    if (a.width != b.width || a.height != b.height || a.channels != b.channels)
         throw BadInput(second + ": not of the size and channels of " + first);
     bool finite = check_finite(a, first, report);
     finite = check_finite(b, second, report) && finite;

@@ -8,12 +8,14 @@
 
 using nlohmann::json;
 
-static glm::dvec4 row_of(const json &numbers) {
+static glm::dvec4 row_of(const json &numbers)
+{
     return {numbers.at(0).get<double>(), numbers.at(1).get<double>(),
             numbers.at(2).get<double>(), numbers.at(3).get<double>()};
 }
 
-static MapView view_of(const json &entry) {
+static MapView view_of(const json &entry)
+{
     MapView view;
     for (size_t i = 0; i < 3; i++)
         view.rows[i] = row_of(entry.at("map_from_relative").at(i));
@@ -25,7 +27,8 @@ static MapView view_of(const json &entry) {
     return view;
 }
 
-static void read_blur(const json &options, Settings &settings) {
+static void read_blur(const json &options, Settings &settings)
+{
     settings.downsample = options.at("downsample").get<int>();
     settings.radius = options.at("radius").get<int>();
     std::string blur = options.at("blur").get<std::string>();
@@ -35,7 +38,8 @@ static void read_blur(const json &options, Settings &settings) {
         throw BadInput("the oracle knows no blur '" + blur + "'");
 }
 
-static Settings settings_of(const json &options, int step) {
+static Settings settings_of(const json &options, int step)
+{
     Settings settings;
     if (step <= 4) {
         settings.bias = options.at("bias").get<double>();
@@ -55,13 +59,15 @@ static Settings settings_of(const json &options, int step) {
     return settings;
 }
 
-static void read_size(const json &options, Run &run) {
+static void read_size(const json &options, Run &run)
+{
     const std::string &text = options.at("size").get_ref<const std::string &>();
     if (std::sscanf(text.c_str(), "%dx%d", &run.width, &run.height) != 2)
         throw BadInput("run.json: size '" + text + "' is not WxH");
 }
 
-static Run run_of(const json &root) {
+static Run run_of(const json &root)
+{
     Run run;
     run.step = root.at("step").get<int>();
     run.scene = root.at("scene").get<std::string>();
@@ -71,14 +77,14 @@ static Run run_of(const json &root) {
     for (int i = 0; i < 3; i++)
         run.origin[i] = origin.at(size_t(i)).get<double>();
     for (size_t i = 0; i < 4; i++)
-        run.clip_from_relative[i] =
-            row_of(root.at("clip_from_relative").at(i));
+        run.clip_from_relative[i] = row_of(root.at("clip_from_relative").at(i));
     for (const json &entry : root.at("views"))
         run.views.push_back(view_of(entry));
     return run;
 }
 
-Run load_run(const std::string &folder) {
+Run load_run(const std::string &folder)
+{
     std::string path = folder + "/run.json";
     std::ifstream file(path);
     if (!file)
@@ -93,7 +99,8 @@ Run load_run(const std::string &folder) {
 }
 
 Picture load_file(const Run &run, const std::string &name, int width,
-                  int height, int channels) {
+                  int height, int channels)
+{
     std::string path = run.folder + "/" + name;
     Picture picture = load_picture(path);
     if (picture.width != width || picture.height != height ||
@@ -108,7 +115,8 @@ Picture load_file(const Run &run, const std::string &name, int width,
     return picture;
 }
 
-Picture load_map(const Run &run, int layer) {
+Picture load_map(const Run &run, int layer)
+{
     const MapView &view = run.views[size_t(layer)];
     bool moments = run.step >= 3;
     std::string name = moments ? "moments." : "depth.";
@@ -116,7 +124,8 @@ Picture load_map(const Run &run, int layer) {
                      view.height, moments ? 2 : 1);
 }
 
-Picture load_filtered(const Run &run, int layer) {
+Picture load_filtered(const Run &run, int layer)
+{
     if (run.step < 4)
         return load_map(run, layer);
     const MapView &view = run.views[size_t(layer)];
@@ -130,13 +139,17 @@ Receivers::Receivers(const Run &run)
       position_(load_file(run, "position.exr", run.width, run.height, 3)),
       normal_(load_file(run, "normal.exr", run.width, run.height, 3)),
       visibility_(load_file(run, "visibility.exr", run.width, run.height, 1)),
-      layers_(int(run.views.size())) {}
+      layers_(int(run.views.size()))
+{
+}
 
-static glm::dvec3 vector_at(const Picture &picture, int x, int y) {
+static glm::dvec3 vector_at(const Picture &picture, int x, int y)
+{
     return {picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
 }
 
-Receiver Receivers::at(int x, int y) const {
+Receiver Receivers::at(int x, int y) const
+{
     Receiver r;
     glm::dvec3 map = vector_at(receiver_, x, y);
     float layer = receiver_.at(x, y, 3);

@@ -14,7 +14,7 @@
 struct MapView {
     // Rows U, V, T of map_from_relative: u = dot(U.xyz, p) + U.w, and so on.
     std::array<glm::dvec4, 3> rows;
-    double near, far; // world units from the plane through the light's anchor
+    double near, far;  // world units from the plane through the light's anchor
     int width, height; // texels
     double border;     // texels
 };
@@ -22,11 +22,11 @@ struct MapView {
 // The settings that a check needs; what a step does not have keeps the value
 // that means "not done".
 struct Settings {
-    double bias = 0;        // of the depth range
-    double slope_bias = 0;  // of half a kernel's depth change
-    int kernel = 1;         // texels
-    int radius = 0;         // texels of the downsampled map
-    int downsample = 1;     // map texels per downsampled texel, along an axis
+    double bias = 0;       // of the depth range
+    double slope_bias = 0; // of half a kernel's depth change
+    int kernel = 1;        // texels
+    int radius = 0;        // texels of the downsampled map
+    int downsample = 1;    // map texels per downsampled texel, along an axis
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance
     double bleed_reduction = 0;
@@ -67,12 +67,13 @@ struct Receiver {
 };
 
 // The four pictures that say what each pixel shows.
-class Receivers {
-public:
+class Receivers
+{
+  public:
     explicit Receivers(const Run &run);
     Receiver at(int x, int y) const;
 
-private:
+  private:
     Picture receiver_, position_, normal_, visibility_;
     int layers_;
 };

@@ -10,7 +10,8 @@
 // A bound wider than this proves nothing: untested.
 static constexpr double WIDEST = 0.1;
 
-namespace {
+namespace
+{
 
 struct EdgeMap {
     MapView view;
@@ -33,7 +34,8 @@ struct Tally {
     size_t tested = 0, wrong = 0, penumbra = 0, untested = 0;
     double worst = 0, widest = 0;
 
-    void add(const Prediction &prediction, double visibility) {
+    void add(const Prediction &prediction, double visibility)
+    {
         if (!prediction.testable || prediction.bound > WIDEST) {
             untested++;
             return;
@@ -52,7 +54,8 @@ struct Tally {
 // The weight of the texels that see the floor past the occluder. False when
 // the filter sees anything else, or a texel that may be either.
 static bool uncovered(const EdgeMap &map, const Footprint &across,
-                      const Footprint &up, double &share) {
+                      const Footprint &up, double &share)
+{
     share = 0;
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
@@ -60,8 +63,7 @@ static bool uncovered(const EdgeMap &map, const Footprint &across,
             double weight = across.weights[i] * up.weights[j];
             if (weight == 0)
                 continue;
-            if (x < 0 || y < 0 || x >= map.view.width ||
-                y >= map.view.height)
+            if (x < 0 || y < 0 || x >= map.view.width || y >= map.view.height)
                 return false;
             size_t texel = size_t(y) * size_t(map.view.width) + size_t(x);
             if (map.under_floor[texel] != Place::INSIDE ||
@@ -76,7 +78,8 @@ static bool uncovered(const EdgeMap &map, const Footprint &across,
 
 // Steps 1 and 2: the share of taps that the receiver is not behind.
 static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
-                               double own_depth) {
+                               double own_depth)
+{
     const Settings &s = map.settings;
     const MapView &view = map.view;
     Interval x = rounded(r.u * view.width, UNIT_ROUNDOFF);
@@ -88,8 +91,7 @@ static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
         !uncovered(map, tap_footprint(r.u, 0, view.width, s.kernel),
                    tap_footprint(r.v, 0, view.height, s.kernel), share))
         return prediction;
-    Interval bias =
-        total_bias(r, view, view.width, view.height, s.kernel, s);
+    Interval bias = total_bias(r, view, view.width, view.height, s.kernel, s);
     Interval slack = widened(bias - own_depth, 2 * map.depth_error);
     bool floor_clear = (slack + map.floor).lo > 0;
     bool occluder_clear = (slack + map.occluder).lo > 0;
@@ -110,7 +112,8 @@ static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
 // - t itself by e.
 // The variance is a difference of numbers of size M2, so all this is amplified
 // by its condition number M2 / variance.
-static Interval p_interval(const EdgeMap &map, double q, double own_depth) {
+static Interval p_interval(const EdgeMap &map, double q, double own_depth)
+{
     double near = map.occluder, far = map.floor, e = map.depth_error;
     double m1 = q * far + (1 - q) * near;
     double m2 = q * far * far + (1 - q) * near * near;
@@ -121,12 +124,12 @@ static Interval p_interval(const EdgeMap &map, double q, double own_depth) {
     Interval wide_m2 =
         widened(m2, (blur + UNIT_ROUNDOFF) * m2 + lookup * far * far +
                         2 * e * deviation + e * e);
-    return chebyshev(wide_m1, wide_m2, widened(own_depth, 2 * e),
-                     map.settings);
+    return chebyshev(wide_m1, wide_m2, widened(own_depth, 2 * e), map.settings);
 }
 
 static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
-                                  double own_depth) {
+                                  double own_depth)
+{
     int f = map.settings.downsample, radius = map.settings.radius;
     const MapView &view = map.view;
     Prediction prediction;
@@ -134,10 +137,9 @@ static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
     Shifts shifts = lookup_shifts(r.u, r.v, view.width / f, view.height / f);
     for (double dy : shifts.y)
         for (double dx : shifts.x) {
-            if (!uncovered(map,
-                           lookup_footprint(r.u, dx, view.width, f, radius),
-                           lookup_footprint(r.v, dy, view.height, f, radius),
-                           q))
+            if (!uncovered(
+                    map, lookup_footprint(r.u, dx, view.width, f, radius),
+                    lookup_footprint(r.v, dy, view.height, f, radius), q))
                 return prediction;
             Interval p = p_interval(map, q, own_depth);
             least = std::min(least, p.lo);
@@ -150,20 +152,26 @@ static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
         return prediction;
     prediction.testable = true;
     prediction.share = q;
-    prediction.lit =
-        on_floor ? std::clamp((q - a) / (1 - a), 0.0, 1.0) : 1.0;
-    prediction.bound = std::max({std::abs(most - prediction.lit),
-                                 std::abs(prediction.lit - least)});
+    prediction.lit = on_floor ? std::clamp((q - a) / (1 - a), 0.0, 1.0) : 1.0;
+    prediction.bound = std::max(
+        {std::abs(most - prediction.lit), std::abs(prediction.lit - least)});
     return prediction;
 }
 
-static EdgeMap edge_map(const Run &run, const SceneTable &table) {
+static EdgeMap edge_map(const Run &run, const SceneTable &table)
+{
     if (run.step > 2 && run.step != 5)
         throw BadInput("edge needs step 1, 2 or 5");
     MapRectangle floor(table, run, "floor");
     MapRectangle occluder(table, run, "occluder");
-    EdgeMap map{run.views.at(0), run.settings, run.step, floor.depth(),
-                occluder.depth(), 0, {}, {}};
+    EdgeMap map{run.views.at(0),
+                run.settings,
+                run.step,
+                floor.depth(),
+                occluder.depth(),
+                0,
+                {},
+                {}};
     map.under_floor = places(floor, map.view);
     map.under_occluder = places(occluder, map.view);
     // The vertices' rounding, the blend of three and the dot product with T:
@@ -179,7 +187,8 @@ static EdgeMap edge_map(const Run &run, const SceneTable &table) {
 }
 
 static void print(const char *what, const Tally &t, bool wants_penumbra,
-                  Report &report) {
+                  Report &report)
+{
     bool tested = t.tested > 0 && t.tested >= t.untested &&
                   (t.penumbra > 0 || !wants_penumbra);
     bool hidden = t.tested + t.untested == 0; // not in this picture
@@ -189,7 +198,8 @@ static void print(const char *what, const Tally &t, bool wants_penumbra,
                 t.wrong, t.tested, t.penumbra, t.worst, t.widest, t.untested);
 }
 
-void check_edge(const Run &run, const SceneTable &table, Report &report) {
+void check_edge(const Run &run, const SceneTable &table, Report &report)
+{
     EdgeMap map = edge_map(run, table);
     Receivers receivers(run);
     Tally on_floor, on_occluder;
@@ -199,8 +209,8 @@ void check_edge(const Run &run, const SceneTable &table, Report &report) {
             if (!r.shown || !inside_map(r) ||
                 facing(r, map.view) != Facing::TOWARDS)
                 continue;
-            bool floor = std::abs(r.t - map.floor) <=
-                         std::abs(r.t - map.occluder);
+            bool floor =
+                std::abs(r.t - map.floor) <= std::abs(r.t - map.occluder);
             double depth = floor ? map.floor : map.occluder;
             Prediction prediction = map.step == 5
                                         ? predict_moments(map, r, depth)

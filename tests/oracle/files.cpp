@@ -8,14 +8,16 @@
 #include "tests/oracle/stage.h" // check_moments
 
 static void check_finite(const Picture &picture, const std::string &name,
-                         Report &report) {
+                         Report &report)
+{
     size_t bad = count_non_finite(picture);
     report.line(bad == 0, name, "%d x %d x %d, %zu values not finite",
                 picture.width, picture.height, picture.channels, bad);
 }
 
 static void check_range(const Picture &picture, const std::string &name,
-                        double low, double high, Report &report) {
+                        double low, double high, Report &report)
+{
     size_t outside = 0;
     double least = INFINITY, most = -INFINITY;
     for (float value : picture.values) {
@@ -29,13 +31,15 @@ static void check_range(const Picture &picture, const std::string &name,
 }
 
 static Picture check_picture(const Run &run, const std::string &name,
-                             int channels, Report &report) {
+                             int channels, Report &report)
+{
     Picture picture = load_file(run, name, run.width, run.height, channels);
     check_finite(picture, name, report);
     return picture;
 }
 
-static void check_maps(const Run &run, int layer, Report &report) {
+static void check_maps(const Run &run, int layer, Report &report)
+{
     std::string number = "." + std::to_string(layer) + ".exr";
     std::string name = (run.step >= 3 ? "moments" : "depth") + number;
     Picture map = load_map(run, layer);
@@ -54,7 +58,8 @@ static void check_maps(const Run &run, int layer, Report &report) {
 
 // Where an object is shown its normal has length 1, elsewhere everything is 0.
 static void check_normals(const Run &run, const Picture &normal,
-                          const Picture &receiver, Report &report) {
+                          const Picture &receiver, Report &report)
+{
     size_t wrong = 0, shown = 0;
     double worst = 0;
     for (int y = 0; y < run.height; y++)
@@ -74,7 +79,8 @@ static void check_normals(const Run &run, const Picture &normal,
                 worst);
 }
 
-void check_files(const Run &run, Report &report) {
+void check_files(const Run &run, Report &report)
+{
     for (size_t layer = 0; layer < run.views.size(); layer++)
         check_maps(run, int(layer), report);
     Picture receiver = check_picture(run, "receiver.exr", 4, report);

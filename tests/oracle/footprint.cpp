@@ -4,14 +4,16 @@
 
 #include "tests/oracle/rounding.h"
 
-double position_error(double u, int size) {
+double position_error(double u, int size)
+{
     // u * size is rounded, and so is the difference; twice that for drivers
     // that add the half texel elsewhere.
     return 4 * UNIT_ROUNDOFF * (std::abs(u) * size + 1);
 }
 
 Footprint lookup_footprint(double u, double shift, int size, int factor,
-                           int radius) {
+                           int radius)
+{
     double x = u * (size / factor) - 0.5 + shift;
     double left = std::floor(x), w = x - left;
     int n = 2 * radius + 1;
@@ -25,18 +27,22 @@ Footprint lookup_footprint(double u, double shift, int size, int factor,
     return footprint;
 }
 
-Footprint tap_footprint(double u, double shift, int size, int n) {
+Footprint tap_footprint(double u, double shift, int size, int n)
+{
     int centre = int(std::floor(u * size + shift));
-    return {centre - (n - 1) / 2,
-            std::vector<double>(size_t(n), 1.0 / n)};
+    return {centre - (n - 1) / 2, std::vector<double>(size_t(n), 1.0 / n)};
 }
 
-static std::array<double, 3> axis_shifts(double u, int size) {
+static std::vector<double> axis_shifts(double u, int size)
+{
     double x = u * size - 0.5, error = position_error(u, size);
     double kink = std::round(x) - x;
-    return {-error, std::abs(kink) < error ? kink : 0.0, error};
+    if (std::abs(kink) < error)
+        return {-error, kink, error};
+    return {-error, error};
 }
 
-Shifts lookup_shifts(double u, double v, int width, int height) {
+Shifts lookup_shifts(double u, double v, int width, int height)
+{
     return {axis_shifts(u, width), axis_shifts(v, height)};
 }

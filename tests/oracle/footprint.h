@@ -3,7 +3,6 @@
 #ifndef ORACLE_FOOTPRINT_H
 #define ORACLE_FOOTPRINT_H
 
-#include <array>
 #include <vector>
 
 #include "tests/oracle/dump.h"
@@ -26,11 +25,11 @@ Footprint lookup_footprint(double u, double shift, int size, int factor,
 // The n texels around floor(u * size), n odd, equal weights.
 Footprint tap_footprint(double u, double shift, int size, int n);
 
-// The 3 x 3 positions that enclose everything that rounding can make of one:
-// the two ends along each axis, and the texel centre between them, where the
-// weights have a kink, or else the middle.
+// The positions that enclose everything that rounding can make of one: the two
+// ends along each axis, and a texel centre between them, where the weights
+// have a kink.
 struct Shifts {
-    std::array<double, 3> x, y;
+    std::vector<double> x, y;
 };
 Shifts lookup_shifts(double u, double v, int width, int height);
 

@@ -2,11 +2,13 @@
 
 #include "tests/oracle/rounding.h"
 
-static glm::dvec3 direction(const glm::dvec4 &row) {
+static glm::dvec3 direction(const glm::dvec4 &row)
+{
     return glm::dvec3(row);
 }
 
-Interval rounded_dot(const glm::dvec3 &a, const glm::dvec3 &b) {
+Interval rounded_dot(const glm::dvec3 &a, const glm::dvec3 &b)
+{
     double size = 0;
     for (int i = 0; i < 3; i++)
         size += std::abs(a[i] * b[i]);
@@ -14,12 +16,14 @@ Interval rounded_dot(const glm::dvec3 &a, const glm::dvec3 &b) {
     return widened(glm::dot(a, b), rounding_share(4) * size);
 }
 
-double cosine_to_light(const glm::dvec3 &normal, const MapView &view) {
+double cosine_to_light(const glm::dvec3 &normal, const MapView &view)
+{
     glm::dvec3 t = direction(view.rows[2]);
     return -glm::dot(normal, t) / glm::length(t);
 }
 
-Facing facing(const Receiver &receiver, const MapView &view) {
+Facing facing(const Receiver &receiver, const MapView &view)
+{
     glm::dvec3 t = direction(view.rows[2]);
     Interval dot = rounded_dot(receiver.normal, t / glm::length(t));
     if (dot.hi < 0)
@@ -27,16 +31,17 @@ Facing facing(const Receiver &receiver, const MapView &view) {
     return dot.lo > 0 ? Facing::AWAY : Facing::UNKNOWN;
 }
 
-bool inside_map(const Receiver &r) {
-    return r.u >= 0 && r.u <= 1 && r.v >= 0 && r.v <= 1 && r.t >= 0 &&
-           r.t <= 1;
+bool inside_map(const Receiver &r)
+{
+    return r.u >= 0 && r.u <= 1 && r.v >= 0 && r.v <= 1 && r.t >= 0 && r.t <= 1;
 }
 
 // |dt/du| of the receiver's plane. A plane N.p = c in map space has the
 // gradient (N.U/|U|^2, N.V/|V|^2, N.T/|T|^2), so dt/du = -first/third. The
 // third is kept at 0.1/|T|, that is N.L at 0.1, so the slope stays finite.
 static Interval slope(const glm::dvec3 &normal, const glm::dvec3 &axis,
-                      const glm::dvec3 &t) {
+                      const glm::dvec3 &t)
+{
     Interval along = rounded_dot(normal, axis) / glm::dot(axis, axis);
     Interval depth = rounded_dot(normal, t) / glm::dot(t, t);
     double least = 0.1 / glm::length(t);
@@ -44,7 +49,8 @@ static Interval slope(const glm::dvec3 &normal, const glm::dvec3 &axis,
 }
 
 Interval total_bias(const Receiver &receiver, const MapView &view, int width,
-                    int height, int n, const Settings &settings) {
+                    int height, int n, const Settings &settings)
+{
     glm::dvec3 t = direction(view.rows[2]);
     glm::dvec3 u = direction(view.rows[0]), v = direction(view.rows[1]);
     Interval dx = slope(receiver.normal, u, t) / double(width);

@@ -13,7 +13,8 @@ static constexpr double WIDEST = 0.1;
 // The oracle's own sums of some thousand weights, in double.
 static constexpr double OWN_ROUNDING = 1e-12;
 
-namespace {
+namespace
+{
 
 // What the whole filter sees at one position, from the texels as stored.
 struct Seen {
@@ -25,19 +26,21 @@ struct Seen {
 // The counts of one run over all pixels.
 struct Tally {
     size_t tested = 0, untested = 0, violated = 0, penumbra = 0;
-    double worst = INFINITY;  // smallest p - (lit - bound)
+    double worst = INFINITY;   // smallest p - (lit - bound)
     double nearest = INFINITY; // smallest p - lit
-    double widest = 0;        // largest bound used
+    double widest = 0;         // largest bound used
 };
 
 } // namespace
 
-static double texel(const Picture &map, int x, int y) {
+static double texel(const Picture &map, int x, int y)
+{
     return map.holds(x, y) ? double(map.at(x, y)) : 1.0;
 }
 
 static Seen seen(const Picture &map, const Footprint &across,
-                 const Footprint &up, double t) {
+                 const Footprint &up, double t)
+{
     Seen sum;
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
@@ -55,7 +58,8 @@ static Seen seen(const Picture &map, const Footprint &across,
 // arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each texel once,
 // the downsampling and the blur by blur_share, the lookup by 6 units of the
 // largest texel it blends, then the formula's own, in chebyshev().
-static double bound(const Seen &s, double t, const Settings &settings) {
+static double bound(const Seen &s, double t, const Settings &settings)
+{
     double blur = blur_share(settings);
     double lookup = rounding_share(LOOKUP_ROUNDINGS);
     double far2 = s.farthest * s.farthest;
@@ -68,16 +72,15 @@ static double bound(const Seen &s, double t, const Settings &settings) {
 }
 
 static void test_pixel(const Run &run, const Receiver &r, const MapView &view,
-                       const Picture &map, Tally &tally) {
+                       const Picture &map, Tally &tally)
+{
     int f = run.settings.downsample, radius = run.settings.radius;
-    Shifts shifts =
-        lookup_shifts(r.u, r.v, map.width / f, map.height / f);
+    Shifts shifts = lookup_shifts(r.u, r.v, map.width / f, map.height / f);
     double least = INFINITY, lit = INFINITY, widest = 0;
     for (double dy : shifts.y) { // the least over the widened position
         Footprint up = lookup_footprint(r.v, dy, view.height, f, radius);
         for (double dx : shifts.x) {
-            Footprint across =
-                lookup_footprint(r.u, dx, view.width, f, radius);
+            Footprint across = lookup_footprint(r.u, dx, view.width, f, radius);
             Seen s = seen(map, across, up, r.t);
             double rounding = bound(s, r.t, run.settings);
             least = std::min(least, s.lit - rounding);
@@ -97,7 +100,8 @@ static void test_pixel(const Run &run, const Receiver &r, const MapView &view,
     tally.widest = std::max(tally.widest, widest);
 }
 
-void check_lower(const Run &run, Report &report) {
+void check_lower(const Run &run, Report &report)
+{
     if (run.step != 5 || run.settings.bleed_reduction != 0)
         throw BadInput("lower needs step 5 with bleed-reduction 0");
     Receivers receivers(run);

@@ -5,7 +5,8 @@
 #include "tests/oracle/two_depths.h"
 
 MapRectangle::MapRectangle(const SceneTable &table, const Run &run,
-                           const std::string &name) {
+                           const std::string &name)
+{
     const Object *object = table.find(name);
     if (!object)
         throw BadInput("the scene has no object '" + name + "'");
@@ -29,11 +30,11 @@ MapRectangle::MapRectangle(const SceneTable &table, const Run &run,
     // A distance d from a side is d times the length of the row of inverse_
     // that measures across it, in the plane's own units.
     glm::dmat2 rows = glm::transpose(inverse_);
-    margin_ = SUBPIXEL * glm::dvec2(glm::length(rows[0]),
-                                    glm::length(rows[1]));
+    margin_ = SUBPIXEL * glm::dvec2(glm::length(rows[0]), glm::length(rows[1]));
 }
 
-Place MapRectangle::place(int texel_x, int texel_y) const {
+Place MapRectangle::place(int texel_x, int texel_y) const
+{
     glm::dvec2 centre(texel_x + 0.5, texel_y + 0.5);
     glm::dvec2 own = glm::abs(inverse_ * (centre - centre_));
     if (own.x > 0.5 + margin_.x || own.y > 0.5 + margin_.y)
@@ -43,7 +44,8 @@ Place MapRectangle::place(int texel_x, int texel_y) const {
     return Place::AMBIGUOUS;
 }
 
-std::vector<Place> places(const MapRectangle &rectangle, const MapView &view) {
+std::vector<Place> places(const MapRectangle &rectangle, const MapView &view)
+{
     std::vector<Place> all;
     for (int y = 0; y < view.height; y++)
         for (int x = 0; x < view.width; x++)

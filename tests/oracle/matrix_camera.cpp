@@ -9,7 +9,8 @@
 // Rows x, y and w of the program's clip_from_relative against GLM's; row z
 // depends on a near and a far that are the program's own business.
 static void check_rows(const Run &run, const PictureCamera &camera,
-                       Report &report) {
+                       Report &report)
+{
     glm::dmat4 rows = glm::transpose(camera.clip());
     double worst = 0;
     for (int i : {0, 1, 3}) {
@@ -24,13 +25,15 @@ static void check_rows(const Run &run, const PictureCamera &camera,
 // (matrix, products, sums), and so is the blend of three of them over w: 32
 // units in all, seen at this depth as so many pixels.
 static double tolerance(const PictureCamera &camera, double extent,
-                        double depth) {
+                        double depth)
+{
     double world = rounding_share(32) * extent;
     return SUBPIXEL + world * camera.focal_length() / depth;
 }
 
 static void check_rays(const Run &run, const PictureCamera &camera,
-                       double extent, Report &report) {
+                       double extent, Report &report)
+{
     Receivers receivers(run);
     size_t wrong = 0, shown = 0;
     double worst = 0, bound = 0;
@@ -53,7 +56,8 @@ static void check_rays(const Run &run, const PictureCamera &camera,
                 wrong, shown, worst, bound);
 }
 
-void check_camera(const Run &run, const SceneTable &table, Report &report) {
+void check_camera(const Run &run, const SceneTable &table, Report &report)
+{
     const Camera &camera = table.scene.camera;
     double moved = glm::length(run.origin - vec3_of(camera.position));
     report.line(moved == 0, "origin is the camera's position", "off by %.3g",

@@ -6,8 +6,9 @@
 
 // One row times (p, 1): each entry rounded to float, three products, three
 // sums; 5 roundings on any one term.
-static double excess(const glm::dvec4 &row, const glm::dvec3 &p,
-                     double value, double &worst) {
+static double excess(const glm::dvec4 &row, const glm::dvec3 &p, double value,
+                     double &worst)
+{
     double exact = row.w, size = std::abs(row.w);
     for (int i = 0; i < 3; i++) {
         exact += row[i] * p[i];
@@ -18,7 +19,8 @@ static double excess(const glm::dvec4 &row, const glm::dvec3 &p,
     return error - rounding_share(5) * size;
 }
 
-void check_receiver(const Run &run, Report &report) {
+void check_receiver(const Run &run, Report &report)
+{
     Receivers receivers(run);
     size_t wrong = 0, shown = 0;
     double worst = 0;

@@ -9,7 +9,8 @@
 // The rows are doubles; sums of a few products of the size of the scene's
 // world coordinates, and their differences to the origin, cost some ulp.
 static double double_error(const Run &run, const SceneTable &table,
-                           const MapView &view) {
+                           const MapView &view)
+{
     double world = scene_extent(table.scene, glm::dvec3(0));
     for (int i = 0; i < 3; i++)
         world = std::max(world, std::abs(run.origin[i]));
@@ -21,14 +22,14 @@ static double double_error(const Run &run, const SceneTable &table,
 
 static void check_depth_row(const Run &run, const SceneTable &table,
                             const MapView &view, double tolerance,
-                            Report &report) {
+                            Report &report)
+{
     const Light &light = table.scene.light;
     double range = view.far - view.near;
     glm::dvec3 expected = vec3_of(light.direction) / range;
     double turned = glm::length(glm::dvec3(view.rows[2]) - expected) * range;
-    report.line(turned <= 32 * DBL_EPSILON,
-                "T row is direction / (far - near)", "relative error %.3g",
-                turned);
+    report.line(turned <= 32 * DBL_EPSILON, "T row is direction / (far - near)",
+                "relative error %.3g", turned);
 
     glm::dvec3 anchor = vec3_of(light.anchor) - run.origin;
     double t = map_point(view, anchor).z, at = -view.near / range;
@@ -43,7 +44,8 @@ static void check_depth_row(const Run &run, const SceneTable &table,
                     view.far);
 }
 
-static void check_orthogonal(const MapView &view, Report &report) {
+static void check_orthogonal(const MapView &view, Report &report)
+{
     glm::dvec3 axis[3];
     for (size_t i = 0; i < 3; i++)
         axis[i] = glm::normalize(glm::dvec3(view.rows[i]));
@@ -55,7 +57,8 @@ static void check_orthogonal(const MapView &view, Report &report) {
                 "largest cosine %.3g", worst);
 }
 
-namespace {
+namespace
+{
 
 struct Unused { // texels between the casters and the border
     double left, right, below, above;
@@ -67,7 +70,8 @@ struct Unused { // texels between the casters and the border
 // texels are square in the world, only along the longer side of the casters;
 // along the other they are in the middle.
 static void check_tight(const Unused &unused, const MapView &view,
-                        Report &report) {
+                        Report &report)
+{
     double across = std::max(unused.left, unused.right);
     double up = std::max(unused.below, unused.above);
     double texels_x = glm::length(glm::dvec3(view.rows[0])) * view.width;
@@ -86,7 +90,8 @@ static void check_tight(const Unused &unused, const MapView &view,
 
 // The casters' bounds in the map lie inside the border.
 static void check_fit(const Run &run, const SceneTable &table,
-                      const MapView &view, double tolerance, Report &report) {
+                      const MapView &view, double tolerance, Report &report)
+{
     glm::dvec3 low(INFINITY), high(-INFINITY);
     for (int i = 0; i < table.scene.object_count; i++) {
         const Object &object = table.scene.objects[i];
@@ -117,15 +122,16 @@ static void check_fit(const Run &run, const SceneTable &table,
 
 // Fitted near and far hold everything inside the rectangle.
 static void check_range(const Run &run, const MapView &view, int layer,
-                        Report &report) {
+                        Report &report)
+{
     Receivers receivers(run);
     size_t outside = 0, seen = 0;
     double slack = 0, least = INFINITY, most = -INFINITY;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            if (!r.shown || r.layer != layer || r.u < 0 || r.u > 1 ||
-                r.v < 0 || r.v > 1)
+            if (!r.shown || r.layer != layer || r.u < 0 || r.u > 1 || r.v < 0 ||
+                r.v > 1)
                 continue;
             double size = std::abs(view.rows[2].w);
             for (int i = 0; i < 3; i++)
@@ -137,12 +143,13 @@ static void check_range(const Run &run, const MapView &view, int layer,
             most = std::max(most, r.t);
         }
     report.line(outside == 0, "fitted near and far hold what is seen",
-                "%zu of %zu pixels outside, t from %.6g to %.6g", outside,
-                seen, least, most);
+                "%zu of %zu pixels outside, t from %.6g to %.6g", outside, seen,
+                least, most);
 }
 
 void check_view(const Run &run, const SceneTable &table, int layer,
-                Report &report) {
+                Report &report)
+{
     const MapView &view = run.views[size_t(layer)];
     double tolerance = double_error(run, table, view);
     check_depth_row(run, table, view, tolerance, report);

@@ -31,7 +31,8 @@ static const char *const USAGE =
 
 using Words = std::vector<std::string>;
 
-static void run_stages(const Run &run, Report &report) {
+static void run_stages(const Run &run, Report &report)
+{
     for (size_t layer = 0; layer < run.views.size(); layer++) {
         if (run.step >= 3)
             check_moments(run, int(layer), report);
@@ -41,7 +42,8 @@ static void run_stages(const Run &run, Report &report) {
     check_visibility(run, report);
 }
 
-static void run_matrices(const Run &run, Report &report) {
+static void run_matrices(const Run &run, Report &report)
+{
     SceneTable table(run.scene);
     check_receiver(run, report);
     for (size_t layer = 0; layer < run.views.size(); layer++)
@@ -49,7 +51,8 @@ static void run_matrices(const Run &run, Report &report) {
     check_camera(run, table, report);
 }
 
-static void run_rays(const Run &run, Report &report) {
+static void run_rays(const Run &run, Report &report)
+{
     SceneTable table(run.scene);
     RayScene rays(table.scene, run.origin);
     double extent = scene_extent(table.scene, run.origin);
@@ -60,7 +63,8 @@ static void run_rays(const Run &run, Report &report) {
 }
 
 static void run_check(const std::string &check, const std::string &folder,
-                      const Words &words, Report &report) {
+                      const Words &words, Report &report)
+{
     bool bleed = check == "bleed";
     Arguments arguments(words, bleed ? Words{"r"} : Words{});
     Run run = load_run(folder);
@@ -86,7 +90,8 @@ static void run_check(const std::string &check, const std::string &folder,
     }
 }
 
-static void run_compare(const Words &words, Report &report) {
+static void run_compare(const Words &words, Report &report)
+{
     if (words.size() < 2)
         throw BadInput("compare needs two files");
     Arguments arguments(Words(words.begin() + 2, words.end()),
@@ -95,7 +100,8 @@ static void run_compare(const Words &words, Report &report) {
                      arguments.number("share", 1), report);
 }
 
-int main(int count, char **values) {
+int main(int count, char **values)
+{
     if (count < 3) {
         std::fputs(USAGE, stderr);
         return 2;

@@ -6,7 +6,8 @@
 
 #include "tests/oracle/report.h"
 
-static void turn_rows(Picture &picture) {
+static void turn_rows(Picture &picture)
+{
     size_t row = size_t(picture.width) * size_t(picture.channels);
     for (int y = 0; y < picture.height / 2; y++) {
         auto low = picture.values.begin() + long(size_t(y) * row);
@@ -15,7 +16,8 @@ static void turn_rows(Picture &picture) {
     }
 }
 
-Picture load_picture(const std::string &path) {
+Picture load_picture(const std::string &path)
+{
     auto file = OIIO::ImageInput::open(path);
     if (!file)
         throw BadInput(path + ": cannot be read: " + OIIO::geterror());
@@ -33,7 +35,8 @@ Picture load_picture(const std::string &path) {
     return picture;
 }
 
-size_t count_non_finite(const Picture &picture) {
+size_t count_non_finite(const Picture &picture)
+{
     size_t count = 0;
     for (float value : picture.values)
         count += std::isfinite(value) ? 0 : 1;

@@ -10,18 +10,22 @@ struct Picture {
     int width = 0, height = 0, channels = 0;
     std::vector<float> values;
 
-    float at(int x, int y, int channel = 0) const {
+    float at(int x, int y, int channel = 0) const
+    {
         return values[index(x, y, channel)];
     }
-    float &at(int x, int y, int channel = 0) {
+    float &at(int x, int y, int channel = 0)
+    {
         return values[index(x, y, channel)];
     }
-    bool holds(int x, int y) const {
+    bool holds(int x, int y) const
+    {
         return x >= 0 && y >= 0 && x < width && y < height;
     }
 
-private:
-    size_t index(int x, int y, int channel) const {
+  private:
+    size_t index(int x, int y, int channel) const
+    {
         return (size_t(y) * size_t(width) + size_t(x)) * size_t(channels) +
                size_t(channel);
     }

@@ -9,8 +9,9 @@
 
 // The camera of a picture of width x height pixels, at the origin of the
 // relative space.
-class PictureCamera {
-public:
+class PictureCamera
+{
+  public:
     PictureCamera(const Camera &camera, int width, int height);
 
     // Through the picture at x, y in pixels from its lower left corner (a
@@ -22,9 +23,12 @@ public:
     glm::dvec3 pixel_of(const glm::dvec3 &point) const;
 
     double focal_length() const; // in pixels
-    glm::dmat4 clip() const { return clip_; }
+    glm::dmat4 clip() const
+    {
+        return clip_;
+    }
 
-private:
+  private:
     glm::dmat4 clip_; // rows x, y and w count; z needs a near and a far
     glm::dmat4 inverse_;
     double width_, height_;

@@ -16,8 +16,7 @@ void check_ray_positions(const Run &run, const Scene &scene,
 
 // visibility.exr against exact hard visibility, away from shadow edges.
 void check_ray_visibility(const Run &run, const Scene &scene,
-                          const RayScene &rays, double extent,
-                          Report &report);
+                          const RayScene &rays, double extent, Report &report);
 
 // The ray through u, v of the map. A distance along it is a depth t, from
 // t = `start` on (Embree needs it to begin before what it should hit).

@@ -6,13 +6,15 @@
 
 #include "tests/oracle/rounding.h"
 
-namespace {
+namespace
+{
 
 // A surface on a ray, and how far a rasterised distance to it may be off.
 struct Surface {
     double distance, tolerance;
 
-    bool agrees(double value) const {
+    bool agrees(double value) const
+    {
         // Written so that two infinities agree and NaN does not.
         return value == distance || std::abs(value - distance) <= tolerance;
     }
@@ -23,7 +25,8 @@ struct Surface {
 // How much the distance to this plane changes when the ray moves by SUBPIXEL
 // along both axes. 0 for a plane seen edge on: it has no such distance.
 static double slope(const RayAt &ray_at, double dx, double dy,
-                    const Triangle &triangle, double centre) {
+                    const Triangle &triangle, double centre)
+{
     double most = 0;
     for (double y : {-SUBPIXEL, SUBPIXEL})
         for (double x : {-SUBPIXEL, SUBPIXEL}) {
@@ -38,25 +41,26 @@ static double slope(const RayAt &ray_at, double dx, double dy,
 // empty distance counts as empty.
 static Surface next_surface(const RayScene &rays, const RayAt &ray_at,
                             double dx, double dy, double start,
-                            const Measured &measured) {
+                            const Measured &measured)
+{
     Hit hit = rays.first(ray_at(dx, dy), start);
     if (!hit.found() || hit.distance >= measured.empty)
         return {measured.empty, measured.rounding};
-    double moved = slope(ray_at, dx, dy, rays.triangle(hit.triangle),
-                         hit.distance);
+    double moved =
+        slope(ray_at, dx, dy, rays.triangle(hit.triangle), hit.distance);
     return {hit.distance, measured.rounding + moved};
 }
 
 // All surfaces along the moved ray, and the empty distance last. Surfaces
 // closer to each other than the rounding count as one.
-static std::vector<Surface> surfaces(const RayScene &rays,
-                                     const RayAt &ray_at, double dx,
-                                     double dy, const Measured &measured) {
+static std::vector<Surface> surfaces(const RayScene &rays, const RayAt &ray_at,
+                                     double dx, double dy,
+                                     const Measured &measured)
+{
     std::vector<Surface> found;
     double start = 0;
     for (int i = 0; i < 64; i++) {
-        found.push_back(
-            next_surface(rays, ray_at, dx, dy, start, measured));
+        found.push_back(next_surface(rays, ray_at, dx, dy, start, measured));
         if (found.back().distance >= measured.empty)
             break;
         start = found.back().distance + 2 * measured.rounding;
@@ -67,7 +71,8 @@ static std::vector<Surface> surfaces(const RayScene &rays,
 using Bundle = std::vector<std::vector<Surface>>;
 
 // Whether some ray of the bundle passes by this surface.
-static bool can_be_missed(const Bundle &bundle, const Surface &surface) {
+static bool can_be_missed(const Bundle &bundle, const Surface &surface)
+{
     for (const auto &ray : bundle) {
         bool met = false;
         for (const Surface &other : ray)
@@ -82,7 +87,8 @@ static bool can_be_missed(const Bundle &bundle, const Surface &surface) {
 // The value is that of a surface within SUBPIXEL of the centre, and each
 // surface in front of it has its outline there too.
 static bool at_silhouette(const RayScene &rays, const RayAt &ray_at,
-                          const Measured &measured) {
+                          const Measured &measured)
+{
     Bundle bundle;
     for (double dy : {-SUBPIXEL, 0.0, SUBPIXEL})
         for (double dx : {-SUBPIXEL, 0.0, SUBPIXEL})
@@ -98,13 +104,14 @@ static bool at_silhouette(const RayScene &rays, const RayAt &ray_at,
 }
 
 Verdict compare_with_rays(const RayScene &rays, const RayAt &ray_at,
-                          const Measured &measured, RayComparison &count) {
+                          const Measured &measured, RayComparison &count)
+{
     Surface centre = next_surface(rays, ray_at, 0, 0, 0, measured);
     if (centre.agrees(measured.value)) {
         count.agrees++;
         if (measured.value != centre.distance) // also not two infinities
-            count.worst = std::max(
-                count.worst, std::abs(measured.value - centre.distance));
+            count.worst = std::max(count.worst,
+                                   std::abs(measured.value - centre.distance));
         return Verdict::AGREES;
     }
     if (at_silhouette(rays, ray_at, measured)) {

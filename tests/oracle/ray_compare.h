@@ -24,8 +24,12 @@ struct RayComparison {
     size_t agrees = 0, silhouette = 0, differs = 0;
     double worst = 0; // largest error where it agrees
 
-    size_t all() const { return agrees + silhouette + differs; }
-    double silhouette_share() const {
+    size_t all() const
+    {
+        return agrees + silhouette + differs;
+    }
+    double silhouette_share() const
+    {
         return all() ? double(silhouette) / double(all()) : 0;
     }
 };

@@ -6,15 +6,17 @@
 #include "tests/oracle/ray_compare.h"
 #include "tests/oracle/rounding.h"
 
-Ray map_ray(const MapView &view, double u, double v, double start) {
-    glm::dvec3 along = point_of_map(view, {u, v, 1}) -
-                       point_of_map(view, {u, v, 0});
+Ray map_ray(const MapView &view, double u, double v, double start)
+{
+    glm::dvec3 along =
+        point_of_map(view, {u, v, 1}) - point_of_map(view, {u, v, 0});
     return {point_of_map(view, {u, v, start}), along};
 }
 
 // A depth in 32-bit arithmetic: the vertices' rounding, the blend of three,
 // and the dot product with T; 16 units of the numbers' size.
-static double depth_rounding(const MapView &view, double extent) {
+static double depth_rounding(const MapView &view, double extent)
+{
     double size = std::abs(view.rows[2].w) + 1;
     for (int i = 0; i < 3; i++)
         size += std::abs(view.rows[2][i]) * extent;
@@ -22,7 +24,8 @@ static double depth_rounding(const MapView &view, double extent) {
 }
 
 void check_ray_depths(const Run &run, const RayScene &rays, double extent,
-                      int layer, Report &report) {
+                      int layer, Report &report)
+{
     const MapView &view = run.views[size_t(layer)];
     Picture map = load_map(run, layer);
     double rounding = depth_rounding(view, extent);
@@ -38,10 +41,9 @@ void check_ray_depths(const Run &run, const RayScene &rays, double extent,
             Measured measured = {map.at(x, y) - start, 1 - start, rounding};
             compare_with_rays(rays, ray_at, measured, count);
         }
-    bool passed = count.differs == 0 &&
-                  count.silhouette_share() <= MOST_SILHOUETTE;
-    report.line(passed,
-                "map depths against rays",
+    bool passed =
+        count.differs == 0 && count.silhouette_share() <= MOST_SILHOUETTE;
+    report.line(passed, "map depths against rays",
                 "%zu of %zu texels differ, worst of the others %.3g, "
                 "rounding %.3g, at silhouettes %zu (%.3g %%)",
                 count.differs, count.all(), count.worst, rounding,

@@ -6,8 +6,8 @@
 #include "tests/oracle/rounding.h"
 
 void check_ray_positions(const Run &run, const Scene &scene,
-                         const RayScene &rays, double extent,
-                         Report &report) {
+                         const RayScene &rays, double extent, Report &report)
+{
     PictureCamera camera(scene.camera, run.width, run.height);
     Receivers receivers(run);
     // The vertices' rounding and the blend of three, in world units.
@@ -21,15 +21,12 @@ void check_ray_positions(const Run &run, const Scene &scene,
             };
             Receiver r = receivers.at(x, y);
             // Along the ray, in units of depth, like the ray's own length.
-            double value =
-                r.shown ? camera.pixel_of(r.position).z : INFINITY;
-            compare_with_rays(rays, ray_at, {value, INFINITY, rounding},
-                              count);
+            double value = r.shown ? camera.pixel_of(r.position).z : INFINITY;
+            compare_with_rays(rays, ray_at, {value, INFINITY, rounding}, count);
         }
-    bool passed = count.differs == 0 &&
-                  count.silhouette_share() <= MOST_SILHOUETTE;
-    report.line(passed,
-                "positions against rays",
+    bool passed =
+        count.differs == 0 && count.silhouette_share() <= MOST_SILHOUETTE;
+    report.line(passed, "positions against rays",
                 "%zu of %zu pixels differ, worst of the others %.3g, "
                 "rounding %.3g, at silhouettes %zu (%.3g %%)",
                 count.differs, count.all(), count.worst, rounding,

@@ -6,7 +6,8 @@
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/rounding.h"
 
-namespace {
+namespace
+{
 
 // Ray cast depths at the texel centres of one layer.
 struct IdealMap {
@@ -17,7 +18,8 @@ struct IdealMap {
 // The receiver's own plane in the map: t at u + du, v + dv.
 struct MapPlane {
     double u, v, t, per_u, per_v;
-    double at(double other_u, double other_v) const {
+    double at(double other_u, double other_v) const
+    {
         return t + per_u * (other_u - u) + per_v * (other_v - v);
     }
 };
@@ -40,7 +42,8 @@ struct RayContext { // what does not change from pixel to pixel
 
 // The filter's half width in map texels and 2 more, for what a rasterised
 // silhouette may differ from an ideal one.
-static int filter_reach(const Run &run) {
+static int filter_reach(const Run &run)
+{
     const Settings &s = run.settings;
     if (run.step <= 2)
         return (s.kernel - 1) / 2 + 2;
@@ -48,7 +51,8 @@ static int filter_reach(const Run &run) {
 }
 
 static IdealMap ideal_map(const Run &run, const RayScene &rays,
-                          const MapView &view) {
+                          const MapView &view)
+{
     Picture depth{view.width, view.height, 1, {}};
     depth.values.resize(size_t(view.width) * size_t(view.height));
     double start = -1e-6;
@@ -64,7 +68,8 @@ static IdealMap ideal_map(const Run &run, const RayScene &rays,
 
 // n.p is constant on the plane; p is linear in u, v and t.
 static MapPlane plane_of(const Receiver &r, const MapView &view,
-                         const glm::dvec3 &normal) {
+                         const glm::dvec3 &normal)
+{
     glm::dvec3 zero = point_of_map(view, {0, 0, 0});
     double du = glm::dot(normal, point_of_map(view, {1, 0, 0}) - zero);
     double dv = glm::dot(normal, point_of_map(view, {0, 1, 0}) - zero);
@@ -77,7 +82,8 @@ static MapPlane plane_of(const Receiver &r, const MapView &view,
 // receiver, by more than the bias. Mixtures, and occluders within the bias, are
 // APART.
 static Truth texels_in_reach(const IdealMap &map, const MapPlane &plane,
-                             double bias, double rounding) {
+                             double bias, double rounding)
+{
     int width = map.depth.width, height = map.depth.height;
     int centre_x = int(std::floor(plane.u * width));
     int centre_y = int(std::floor(plane.v * height));
@@ -98,29 +104,31 @@ static Truth texels_in_reach(const IdealMap &map, const MapPlane &plane,
 
 // Exact hard visibility: is anything between the receiver and the light?
 static bool in_shadow(const RayContext &context, const Receiver &r,
-                      const MapView &view, const glm::dvec3 &normal) {
+                      const MapView &view, const glm::dvec3 &normal)
+{
     glm::dvec3 t = glm::dvec3(view.rows[2]);
     // Off the surface by more than the position's and Embree's rounding.
     double lift = rounding_share(64) * context.extent;
-    return context.rays.occluded({r.position + lift * normal,
-                                  -t / glm::length(t)});
+    return context.rays.occluded(
+        {r.position + lift * normal, -t / glm::length(t)});
 }
 
 // The normal of the triangle seen through the pixel, towards the viewer; 0
 // where the rays see none.
-static glm::dvec3 true_normal(const RayContext &context, int x, int y) {
+static glm::dvec3 true_normal(const RayContext &context, int x, int y)
+{
     Ray ray{glm::dvec3(0), context.camera.ray(x + 0.5, y + 0.5)};
     Hit hit = context.rays.first(ray);
     if (!hit.found())
         return glm::dvec3(0);
-    glm::dvec3 n =
-        glm::normalize(context.rays.triangle(hit.triangle).normal());
+    glm::dvec3 n = glm::normalize(context.rays.triangle(hit.triangle).normal());
     return glm::dot(n, ray.direction) > 0 ? -n : n;
 }
 
 static Truth truth_of(const RayContext &context, const Receiver &r,
                       const MapView &view, const IdealMap &map,
-                      const glm::dvec3 &normal) {
+                      const glm::dvec3 &normal)
+{
     MapPlane plane = plane_of(r, view, normal);
     const Settings &settings = context.run.settings;
     double bias = 0;
@@ -140,7 +148,8 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
     return same ? truth : Truth::APART;
 }
 
-static void count(Truth truth, double visibility, Tally &tally) {
+static void count(Truth truth, double visibility, Tally &tally)
+{
     if (truth == Truth::LIT) {
         tally.lit++;
         tally.lit_wrong += visibility >= 0.98 ? 0 : 1;
@@ -155,20 +164,19 @@ static void count(Truth truth, double visibility, Tally &tally) {
     }
 }
 
-static void print(const Run &run, const Tally &t, Report &report) {
+static void print(const Run &run, const Tally &t, Report &report)
+{
     double most = 0.001; // silhouettes that the texel centres do not show
-    report.line(double(t.lit_wrong) <= most * double(t.lit),
-                "lit by rays", "%zu of %zu pixels under 0.98, darkest %.3g",
-                t.lit_wrong, t.lit, t.darkest_lit);
+    report.line(double(t.lit_wrong) <= most * double(t.lit), "lit by rays",
+                "%zu of %zu pixels under 0.98, darkest %.3g", t.lit_wrong,
+                t.lit, t.darkest_lit);
     // Step 5 bleeds light, whatever is done right.
     bool bleeds = run.step == 5;
-    report.line(bleeds ||
-                    double(t.shadowed_wrong) <= most * double(t.shadowed),
-                "shadowed by rays",
-                "%zu of %zu pixels over 0.02%s, brightest %.3g",
-                t.shadowed_wrong, t.shadowed,
-                bleeds ? " (light bleeding, not judged)" : "",
-                t.brightest_shadowed);
+    report.line(
+        bleeds || double(t.shadowed_wrong) <= most * double(t.shadowed),
+        "shadowed by rays", "%zu of %zu pixels over 0.02%s, brightest %.3g",
+        t.shadowed_wrong, t.shadowed,
+        bleeds ? " (light bleeding, not judged)" : "", t.brightest_shadowed);
     size_t all = t.lit + t.shadowed + t.apart;
     report.line(all == 0 || t.lit + t.shadowed > 0, "tested by rays",
                 "%zu of %zu pixels, %zu at silhouettes counted apart",
@@ -176,8 +184,8 @@ static void print(const Run &run, const Tally &t, Report &report) {
 }
 
 void check_ray_visibility(const Run &run, const Scene &scene,
-                          const RayScene &rays, double extent,
-                          Report &report) {
+                          const RayScene &rays, double extent, Report &report)
+{
     PictureCamera camera(scene.camera, run.width, run.height);
     RayContext context{run, rays, camera, extent};
     Receivers receivers(run);
@@ -197,8 +205,7 @@ void check_ray_visibility(const Run &run, const Scene &scene,
                 cosine_to_light(normal, view) < 0.1)
                 continue;
             const IdealMap &map = maps[size_t(r.layer)];
-            count(truth_of(context, r, view, map, normal), r.visibility,
-                  tally);
+            count(truth_of(context, r, view, map, normal), r.visibility, tally);
         }
     print(run, tally, report);
 }

@@ -5,14 +5,15 @@
 #include "tests/oracle/report.h" // BadInput
 
 static void set_triangles(RTCGeometry geometry,
-                          const std::vector<Triangle> &triangles) {
+                          const std::vector<Triangle> &triangles)
+{
     size_t count = triangles.size();
     auto *points = static_cast<float *>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
         3 * sizeof(float), 3 * count));
-    auto *indices = static_cast<unsigned *>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-        3 * sizeof(unsigned), count));
+    auto *indices = static_cast<unsigned *>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                RTC_FORMAT_UINT3, 3 * sizeof(unsigned), count));
     for (size_t i = 0; i < 3 * count; i++)
         indices[i] = unsigned(i);
     for (const Triangle &triangle : triangles)
@@ -23,7 +24,8 @@ static void set_triangles(RTCGeometry geometry,
 
 RayScene::RayScene(const Scene &scene, const glm::dvec3 &origin)
     : triangles_(scene_triangles(scene, origin)),
-      device_(rtcNewDevice("threads=1")), scene_(nullptr) {
+      device_(rtcNewDevice("threads=1")), scene_(nullptr)
+{
     if (!device_)
         throw BadInput("Embree: no device");
     scene_ = rtcNewScene(device_);
@@ -40,12 +42,14 @@ RayScene::RayScene(const Scene &scene, const glm::dvec3 &origin)
     rtcCommitScene(scene_);
 }
 
-RayScene::~RayScene() {
+RayScene::~RayScene()
+{
     rtcReleaseScene(scene_);
     rtcReleaseDevice(device_);
 }
 
-static RTCRay embree_ray(const Ray &ray, double start) {
+static RTCRay embree_ray(const Ray &ray, double start)
+{
     RTCRay out = {};
     out.org_x = float(ray.origin.x);
     out.org_y = float(ray.origin.y);
@@ -59,7 +63,8 @@ static RTCRay embree_ray(const Ray &ray, double start) {
     return out;
 }
 
-Hit RayScene::first(const Ray &ray, double start) const {
+Hit RayScene::first(const Ray &ray, double start) const
+{
     RTCRayHit query = {};
     query.ray = embree_ray(ray, start);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -74,13 +79,15 @@ Hit RayScene::first(const Ray &ray, double start) const {
     return {index, useful ? exact : double(query.ray.tfar)};
 }
 
-bool RayScene::occluded(const Ray &ray) const {
+bool RayScene::occluded(const Ray &ray) const
+{
     RTCRay query = embree_ray(ray, 0);
     embree_occluded(scene_, &query);
     return query.tfar < 0; // Embree's way to say yes
 }
 
-double plane_distance(const Ray &ray, const Triangle &triangle) {
+double plane_distance(const Ray &ray, const Triangle &triangle)
+{
     glm::dvec3 normal = triangle.normal();
     double along = glm::dot(normal, ray.direction);
     if (along == 0)

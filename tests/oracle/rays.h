@@ -18,14 +18,18 @@ struct Hit {
     int triangle = -1; // -1: nothing was hit
     double distance = INFINITY;
 
-    bool found() const { return triangle >= 0; }
+    bool found() const
+    {
+        return triangle >= 0;
+    }
 };
 
 // The scene for Embree, relative to the origin so that its floats are as good
 // far from the world's centre as near it. Embree only decides which triangle is
 // hit; where it is hit is computed again in double.
-class RayScene {
-public:
+class RayScene
+{
+  public:
     RayScene(const Scene &scene, const glm::dvec3 &origin);
     ~RayScene();
     RayScene(const RayScene &) = delete;
@@ -34,9 +38,12 @@ public:
     // The first surface at a distance of `start` or more, either side of it.
     Hit first(const Ray &ray, double start = 0) const;
     bool occluded(const Ray &ray) const;
-    const Triangle &triangle(int i) const { return triangles_[size_t(i)]; }
+    const Triangle &triangle(int i) const
+    {
+        return triangles_[size_t(i)];
+    }
 
-private:
+  private:
     std::vector<Triangle> triangles_;
     RTCDevice device_;
     RTCScene scene_;

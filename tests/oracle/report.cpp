@@ -3,8 +3,8 @@
 #include <cstdarg> // va_list
 #include <cstdio>
 
-void Report::line(bool passed, const std::string &what, const char *format,
-                  ...) {
+void Report::line(bool passed, const std::string &what, const char *format, ...)
+{
     std::printf("%s %s: ", passed ? "PASS" : "FAIL", what.c_str());
     va_list arguments;
     va_start(arguments, format);

@@ -11,15 +11,19 @@ struct BadInput : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-class Report {
-public:
+class Report
+{
+  public:
     // Prints "PASS what: numbers" or "FAIL what: numbers".
     void line(bool passed, const std::string &what, const char *format, ...)
         __attribute__((format(printf, 4, 5)));
 
-    bool all_passed() const { return failed_ == 0 && printed_ > 0; }
+    bool all_passed() const
+    {
+        return failed_ == 0 && printed_ > 0;
+    }
 
-private:
+  private:
     int printed_ = 0;
     int failed_ = 0;
 };

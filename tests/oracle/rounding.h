@@ -9,7 +9,8 @@ constexpr double UNIT_ROUNDOFF = 0x1p-24;
 
 // The share by which a result of n rounded operations on numbers of one sign
 // can be off: n u / (1 - n u).
-constexpr double rounding_share(int n) {
+constexpr double rounding_share(int n)
+{
     return n * UNIT_ROUNDOFF / (1 - n * UNIT_ROUNDOFF);
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm> // max
 #include <cmath>     // abs
 
-const Object *SceneTable::find(const std::string &name) const {
+const Object *SceneTable::find(const std::string &name) const
+{
     for (int i = 0; i < scene.object_count; i++)
         if (name == scene.objects[i].name)
             return &scene.objects[i];
@@ -11,7 +12,8 @@ const Object *SceneTable::find(const std::string &name) const {
 }
 
 std::vector<glm::dvec3> object_points(const Object &object,
-                                      const glm::dvec3 &origin) {
+                                      const glm::dvec3 &origin)
+{
     std::vector<glm::dvec3> points;
     for (size_t i = 0; i < object.mesh->vertex_count; i++) {
         const float *p = object.mesh->vertices[i].position;
@@ -26,7 +28,8 @@ std::vector<glm::dvec3> object_points(const Object &object,
 }
 
 std::vector<Triangle> scene_triangles(const Scene &scene,
-                                      const glm::dvec3 &origin) {
+                                      const glm::dvec3 &origin)
+{
     std::vector<Triangle> triangles;
     for (int i = 0; i < scene.object_count; i++) {
         const Mesh &mesh = *scene.objects[i].mesh;
@@ -39,7 +42,8 @@ std::vector<Triangle> scene_triangles(const Scene &scene,
     return triangles;
 }
 
-double scene_extent(const Scene &scene, const glm::dvec3 &origin) {
+double scene_extent(const Scene &scene, const glm::dvec3 &origin)
+{
     double extent = 0;
     for (int i = 0; i < scene.object_count; i++)
         for (const glm::dvec3 &p : object_points(scene.objects[i], origin))

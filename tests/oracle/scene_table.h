@@ -19,10 +19,14 @@ extern "C" {
 struct SceneTable {
     Scene scene;
 
-    explicit SceneTable(const std::string &text) {
+    explicit SceneTable(const std::string &text)
+    {
         scene_create(&scene, text.c_str());
     }
-    ~SceneTable() { scene_destroy(&scene); }
+    ~SceneTable()
+    {
+        scene_destroy(&scene);
+    }
     SceneTable(const SceneTable &) = delete;
     SceneTable &operator=(const SceneTable &) = delete;
 
@@ -35,7 +39,10 @@ struct Triangle {
     glm::dvec3 a, b, c;
     int object; // index in the scene
 
-    glm::dvec3 normal() const { return glm::cross(b - a, c - a); }
+    glm::dvec3 normal() const
+    {
+        return glm::cross(b - a, c - a);
+    }
 };
 
 std::vector<Triangle> scene_triangles(const Scene &scene,
@@ -49,7 +56,8 @@ std::vector<glm::dvec3> object_points(const Object &object,
 // numbers in a 32-bit program, and so of their rounding.
 double scene_extent(const Scene &scene, const glm::dvec3 &origin);
 
-inline glm::dvec3 vec3_of(const double (&v)[3]) {
+inline glm::dvec3 vec3_of(const double (&v)[3])
+{
     return {v[0], v[1], v[2]};
 }
 

@@ -4,19 +4,23 @@
 #include "tests/oracle/chebyshev_bound.h" // blur_share
 #include "tests/oracle/stage.h"
 
-namespace {
+namespace
+{
 
 // One moment of a map in double; outside it is 1, the far depth.
 struct Channel {
     int width, height;
     std::vector<double> values;
 
-    Channel(int w, int h)
-        : width(w), height(h), values(size_t(w) * size_t(h)) {}
-    double &at(int x, int y) {
+    Channel(int w, int h) : width(w), height(h), values(size_t(w) * size_t(h))
+    {
+    }
+    double &at(int x, int y)
+    {
         return values[size_t(y) * size_t(width) + size_t(x)];
     }
-    double at(int x, int y) const {
+    double at(int x, int y) const
+    {
         bool holds = x >= 0 && y >= 0 && x < width && y < height;
         return holds ? values[size_t(y) * size_t(width) + size_t(x)] : 1;
     }
@@ -24,7 +28,8 @@ struct Channel {
 
 } // namespace
 
-static Channel downsampled(const Picture &map, int channel, int factor) {
+static Channel downsampled(const Picture &map, int channel, int factor)
+{
     Channel small(map.width / factor, map.height / factor);
     for (int y = 0; y < small.height * factor; y++)
         for (int x = 0; x < small.width * factor; x++)
@@ -34,7 +39,8 @@ static Channel downsampled(const Picture &map, int channel, int factor) {
 }
 
 // One axis of the box. Sums in double, so that their order does not matter.
-static Channel boxed(const Channel &in, int radius, int step_x, int step_y) {
+static Channel boxed(const Channel &in, int radius, int step_x, int step_y)
+{
     Channel out(in.width, in.height);
     for (int y = 0; y < in.height; y++)
         for (int x = 0; x < in.width; x++) {
@@ -47,7 +53,8 @@ static Channel boxed(const Channel &in, int radius, int step_x, int step_y) {
 }
 
 static void compare(const Picture &blurred, int channel, const Channel &truth,
-                    double share, Report &report) {
+                    double share, Report &report)
+{
     size_t wrong = 0;
     double worst = 0;
     for (int y = 0; y < truth.height; y++)
@@ -57,14 +64,14 @@ static void compare(const Picture &blurred, int channel, const Channel &truth,
             worst = std::max(worst, error);
             wrong += error <= share * truth.at(x, y) + 1e-15 ? 0 : 1;
         }
-    report.line(wrong == 0,
-                "stage blur: M" + std::to_string(channel + 1),
+    report.line(wrong == 0, "stage blur: M" + std::to_string(channel + 1),
                 "%zu of %zu texels outside, worst %.3g, bound %.3g relative",
                 wrong, truth.values.size(), worst, share);
 }
 
 // The share of a box around texel i that stays inside an axis of n texels.
-static double kept(int i, int n, int radius) {
+static double kept(int i, int n, int radius)
+{
     int inside = std::min(i + radius, n - 1) - std::max(i - radius, 0) + 1;
     return double(inside) / (2 * radius + 1);
 }
@@ -73,7 +80,8 @@ static double kept(int i, int n, int radius) {
 // leaves over the map's edge, which is known texel by texel without blurring.
 static void compare_mean(const Picture &blurred, int channel,
                          const Channel &small, int radius, double share,
-                         Report &report) {
+                         Report &report)
+{
     double before = 0, expected = 0, after = 0, texels = 0;
     for (int y = 0; y < small.height; y++)
         for (int x = 0; x < small.width; x++) {
@@ -93,7 +101,8 @@ static void compare_mean(const Picture &blurred, int channel,
                 after / texels, error, bound, (before - expected) / texels);
 }
 
-void check_blur(const Run &run, int layer, Report &report) {
+void check_blur(const Run &run, int layer, Report &report)
+{
     Picture moments = load_map(run, layer);
     Picture blurred = load_filtered(run, layer);
     const Settings &settings = run.settings;

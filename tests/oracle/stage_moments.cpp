@@ -6,15 +6,16 @@
 
 // Within one unit in the last place: some compilers fuse or reorder. Squares
 // under FLT_MIN may be flushed to 0.
-static bool is_square(float m1, float m2) {
+static bool is_square(float m1, float m2)
+{
     float square = m1 * m1;
     float below = std::nextafter(square, -1.0f);
     float above = std::nextafter(square, 2.0f * square + 1.0f);
-    return (below <= m2 && m2 <= above) ||
-           std::abs(m2 - square) <= FLT_MIN;
+    return (below <= m2 && m2 <= above) || std::abs(m2 - square) <= FLT_MIN;
 }
 
-void check_moments(const Run &run, int layer, Report &report) {
+void check_moments(const Run &run, int layer, Report &report)
+{
     Picture moments = load_map(run, layer);
     size_t wrong = 0;
     double worst = 0;

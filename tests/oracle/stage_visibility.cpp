@@ -12,12 +12,14 @@ static constexpr double WIDEST = 0.1;
 // More untested pixels than this share mean that the check tests too little.
 static constexpr double MOST_UNTESTED = 0.02;
 
-static double texel(const Picture &map, int x, int y, int channel) {
+static double texel(const Picture &map, int x, int y, int channel)
+{
     return map.holds(x, y) ? double(map.at(x, y, channel)) : 1.0;
 }
 
 // 1 where t - bias <= depth for sure, 0 where it is not for sure, else both.
-static Interval compared(double t, Interval bias, Interval depth) {
+static Interval compared(double t, Interval bias, Interval depth)
+{
     Interval moved = t - bias;
     if (bias.hi > 0) // t - 0 is exact
         moved = widened(moved, UNIT_ROUNDOFF * (t + bias.hi));
@@ -27,7 +29,8 @@ static Interval compared(double t, Interval bias, Interval depth) {
 }
 
 static Interval pcf_at(const Receiver &r, Interval bias, const Picture &map,
-                       int centre_x, int centre_y, int n) {
+                       int centre_x, int centre_y, int n)
+{
     Interval lit = 0;
     int half = (n - 1) / 2;
     for (int y = centre_y - half; y <= centre_y + half; y++)
@@ -39,11 +42,11 @@ static Interval pcf_at(const Receiver &r, Interval bias, const Picture &map,
 
 // Steps 1 and 2. The product u * size is rounded before floor, so a position
 // next to a texel's edge can belong to either texel.
-static Interval pcf(const Receiver &r, const MapView &view,
-                    const Picture &map, const Settings &settings) {
+static Interval pcf(const Receiver &r, const MapView &view, const Picture &map,
+                    const Settings &settings)
+{
     int n = settings.kernel;
-    Interval bias =
-        total_bias(r, view, map.width, map.height, n, settings);
+    Interval bias = total_bias(r, view, map.width, map.height, n, settings);
     Interval x = rounded(r.u * map.width, UNIT_ROUNDOFF);
     Interval y = rounded(r.v * map.height, UNIT_ROUNDOFF);
     int left = int(std::floor(x.lo)), right = int(std::floor(x.hi));
@@ -55,7 +58,8 @@ static Interval pcf(const Receiver &r, const MapView &view,
     return lit;
 }
 
-static double bilinear(const Picture &map, double x, double y, int channel) {
+static double bilinear(const Picture &map, double x, double y, int channel)
+{
     double left = std::floor(x), low = std::floor(y);
     double wx = x - left, wy = y - low;
     int i = int(left), j = int(low);
@@ -67,7 +71,8 @@ static double bilinear(const Picture &map, double x, double y, int channel) {
 }
 
 // The largest of the texels that a lookup at x, y can touch.
-static double largest(const Picture &map, double x, double y, int channel) {
+static double largest(const Picture &map, double x, double y, int channel)
+{
     double value = 0;
     int i = int(std::floor(x)), j = int(std::floor(y));
     for (int dy = -1; dy <= 2; dy++)
@@ -78,7 +83,8 @@ static double largest(const Picture &map, double x, double y, int channel) {
 
 // A lookup is bilinear between texel centres, so that over a small rectangle
 // of positions its extremes lie at the corners or where a texel centre cuts.
-static Interval looked_up(const Picture &map, const Receiver &r, int channel) {
+static Interval looked_up(const Picture &map, const Receiver &r, int channel)
+{
     double x = r.u * map.width - 0.5, y = r.v * map.height - 0.5;
     Shifts shifts = lookup_shifts(r.u, r.v, map.width, map.height);
     Interval value = bilinear(map, x, y, channel);
@@ -90,8 +96,9 @@ static Interval looked_up(const Picture &map, const Receiver &r, int channel) {
 }
 
 // The visibility of a receiver inside the map that faces the light.
-static Interval expected(const Run &run, const Receiver &r,
-                         const MapView &view, const Picture &map) {
+static Interval expected(const Run &run, const Receiver &r, const MapView &view,
+                         const Picture &map)
+{
     const Settings &settings = run.settings;
     if (run.step <= 2)
         return pcf(r, view, map, settings);
@@ -103,7 +110,8 @@ static Interval expected(const Run &run, const Receiver &r,
 }
 
 static Interval expected_anywhere(const Run &run, const Receiver &r,
-                                  const std::vector<Picture> &maps) {
+                                  const std::vector<Picture> &maps)
+{
     if (!r.shown)
         return 1;
     const MapView &view = run.views[size_t(r.layer)];
@@ -116,7 +124,8 @@ static Interval expected_anywhere(const Run &run, const Receiver &r,
     return side == Facing::UNKNOWN ? hull(0, lit) : lit;
 }
 
-void check_visibility(const Run &run, Report &report) {
+void check_visibility(const Run &run, Report &report)
+{
     Receivers receivers(run);
     std::vector<Picture> maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)

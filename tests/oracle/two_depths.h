@@ -19,8 +19,9 @@ void check_bleed(const Run &run, const SceneTable &table, double r,
 enum class Place { INSIDE, OUTSIDE, AMBIGUOUS };
 
 // A mesh_plane (side 1, y = 0) seen in the map.
-class MapRectangle {
-public:
+class MapRectangle
+{
+  public:
     // Throws BadInput when the object is missing or not perpendicular to the
     // light.
     MapRectangle(const SceneTable &table, const Run &run,
@@ -29,12 +30,15 @@ public:
     // AMBIGUOUS within SUBPIXEL of the outline: the rasteriser may decide
     // either way.
     Place place(int texel_x, int texel_y) const;
-    double depth() const { return depth_; } // t
+    double depth() const
+    {
+        return depth_;
+    } // t
 
-private:
-    glm::dvec2 centre_; // texels of the map
+  private:
+    glm::dvec2 centre_;  // texels of the map
     glm::dmat2 inverse_; // from texels to the plane's own -0.5 .. 0.5
-    glm::dvec2 margin_; // SUBPIXEL in the plane's own units, per axis
+    glm::dvec2 margin_;  // SUBPIXEL in the plane's own units, per axis
     double depth_;
 };
 

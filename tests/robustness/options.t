@@ -1,0 +1,438 @@
+# Every option of every program: a good value works and does something, a bad
+# value is refused in one line that says what is allowed, and then nothing is
+# written. The options are read from --help, so that a new one without an
+# entry in the table below fails here.
+use strict;
+use warnings;
+
+use File::Path qw(remove_tree);
+use File::Temp qw(tempdir);
+use JSON::PP   qw(decode_json);
+use Test::More;
+use VSM;
+
+chdir tempdir( CLEANUP => 1 ) or die "cannot work in a temporary folder\n";
+
+my @NO_NUMBER  = ( '', 'abc', '1x', 'nan', 'inf', '1e999' );
+my @NO_SIZE    = qw(0 -1 1x x1 1x1x1 abc 99999999999 1e3 65536x1 16x0);
+my @BASE_FILES = qw(image.exr normal.exr position.exr receiver.exr run.json
+  visibility.exr);
+my %DUMP_FILES = (
+    1 => ['depth.0.exr'],
+    2 => ['depth.0.exr'],
+    3 => ['moments.0.exr'],
+    4 => [ 'blurred.0.exr', 'moments.0.exr' ],
+    5 => [ 'blurred.0.exr', 'moments.0.exr' ],
+);
+
+# steps:   which programs have the option (DESIGN.md, section 4)
+# differ:  values that draw another picture than the program's defaults do
+# same:    values that draw the same picture
+# bad:     values to refuse; `allowed` is in the line that refuses them
+# check:   what else a good value has to do
+# A run takes 0.2 s, most of it for loading libraries. So the lists are tried in
+# full in the first program that has the option; the others, which share the
+# code, try the first value of `differ`, or else of `bad`.
+my %OPTIONS = (
+    scene => {
+        steps  => [ 1 .. 5 ],
+        differ => [ 'edge', 'bleed:r=4,scale=2', 'teapot:elevation=30' ],
+        bad    => [
+            'nope',         '',           'Edge',         'edge:',
+            'edge:,',       'edge:gap',   'edge:gap=',    'edge:gap=x',
+            'edge:gap=0.1x', 'edge:gap=0', 'edge:gap=nan', 'edge:gap=0.1,',
+            'edge:nope=1',  'edge:r=2'
+        ],
+        allowed => qr/--list-scenes|numbers from .* to/,
+    },
+    'list-scenes' => { steps => [ 1 .. 5 ], check => \&check_list },
+    size          => {
+        steps   => [ 1 .. 5 ],
+        check   => \&check_size,
+        bad     => [ @NO_SIZE, '', '16', ' 16x9' ],
+        allowed => qr/WxH.*\b1 to \d+/,
+    },
+    'map-size' => {
+        steps   => [ 1 .. 5 ],
+        differ  => [ '64', '64x128' ],
+        same    => ['512x512'],
+        bad     => [ 0, '1x', '65536', '' ],
+        allowed => qr/N or WxH.*\b1 to \d+/,
+    },
+    output => {
+        steps   => [ 1 .. 5 ],
+        check   => \&check_output,
+        bad     => [ 'a.jpg', 'png', '.png', 'a.exr.', '' ],
+        allowed => qr/\.png.*\.exr|FILE/,
+    },
+    show => {
+        steps   => [ 1 .. 5 ],
+        differ  => [ 'visibility', 'depth', 'layer' ],
+        same    => ['shaded'],
+        check   => \&check_show,
+        bad     => [ 'all', '', 'shade', 'shaded,visibility' ],
+        allowed => qr/shaded,\s?visibility/,
+    },
+    dump => {
+        steps   => [ 1 .. 5 ],
+        check   => \&check_dump,
+        bad     => [''],
+        allowed => qr/DIR/,
+    },
+    shaders => {
+        steps   => [ 1 .. 5 ],
+        check   => \&check_shaders,
+        bad     => [''],
+        allowed => qr/DIR/,
+    },
+    context => {
+        steps   => [ 1 .. 5 ],
+        same    => ['osmesa'],
+        bad     => [ 'glfw', '' ],
+        allowed => qr/osmesa/,
+    },
+    bench => {
+        steps   => [ 1 .. 5 ],
+        check   => \&check_bench,
+        bad     => [ -1, '', '1.5', 'x', 1000000 ],
+        allowed => qr/numbers from \d to \d+/,
+    },
+    bias => {
+        steps   => [ 1 .. 4 ],
+        differ  => [ '0.05', '-1' ],
+        same    => ['5e-4'],
+        bad     => [ '1.1', '-1.1', @NO_NUMBER ],
+        allowed => qr/numbers from -1 to 1/,
+    },
+    'slope-bias' => {
+        steps   => [ 1 .. 4 ],
+        differ  => [ '20', '-1' ],
+        bad     => [ '101', 'nan' ],
+        allowed => qr/numbers from -100 to 100/,
+    },
+    kernel => {
+        steps   => [2],
+        differ  => [ 1, 9 ],
+        same    => [7],
+        bad     => [ 0, 2, 257, '', '3.0', 'abc' ],
+        allowed => qr/odd numbers from 1 to 255/,
+    },
+    bilinear => { steps => [2], check => \&check_bilinear },
+    format   => {
+        steps   => [ 3 .. 5 ],
+        same    => ['rg32f'],
+        bad     => [ 'rg8', '' ],
+        allowed => qr/rg32f/,
+    },
+    blur => {
+        steps   => [ 4, 5 ],
+        differ  => [qw(none gaussian binomial)],
+        same    => ['box'],
+        bad     => [ 'cube', '' ],
+        allowed => qr/none,\s?box/,
+    },
+    radius => {
+        steps   => [ 4, 5 ],
+        differ  => [ 9, 0 ],
+        same    => [3],
+        bad     => [ 256, -1, '', '1.5', '99999999999' ],
+        allowed => qr/\b0 to \d+/,
+    },
+    downsample => {
+        steps   => [ 4, 5 ],
+        differ  => [ 2, 16 ],
+        same    => [1],
+        bad     => [ 3, 0, '', '2.0', 32 ],
+        allowed => qr/\b1 to 16|does not divide --map-size/,
+    },
+    'min-variance' => {
+        steps   => [5],
+        differ  => ['0.001'],
+        same    => ['auto'],
+        bad     => [ '-1', '1.1', 'automatic', 'nan', '' ],
+        allowed => qr/numbers from 0 to 1, or auto/,
+    },
+    'bleed-reduction' => {
+        steps   => [5],
+        differ  => [ '0.6', 0 ],
+        bad     => [ 1, '-0.1', '' ],
+        allowed => qr/numbers from 0 to 0\.9999/,
+    },
+);
+
+# A small picture as PNG, or "" if the program fails. The arguments come last:
+# of an option given twice the last one counts.
+sub draw {
+    my ( $step, @arguments ) = @_;
+    my $run =
+      run( $step, qw(--size 160x90 --output picture.png), @arguments );
+    my $picture = -e 'picture.png' ? slurp('picture.png') : '';
+    unlink 'picture.png';
+    return $picture if !$run->{status} && !$run->{signal};
+    diag("step $step @arguments: $run->{err}");
+    return '';
+}
+
+sub is_refused {
+    my ( $step, $arguments, $patterns, $name ) = @_;
+    return stops {
+        run( $step, qw(--size 16x9 --output picture.png --dump dump),
+            @$arguments )
+    }
+    2, $patterns, "step $step: $name";
+}
+
+sub check_size {
+    my ($step) = @_;
+    for my $words ( [qw(--size 9x16)], $step == 1 ? ['--size=1x1'] : () ) {
+        my ($size) = "@$words" =~ /(\w+x\w+)/;
+        is( png_size( draw( $step, @$words ) ),
+            $size, "step $step: @$words sets the picture's size" );
+    }
+    return;
+}
+
+# The ending decides what is written (draw() writes .png). A file that is
+# there is replaced.
+sub check_output {
+    my ($step) = @_;
+    spew( 'old.exr', 'something else' );
+    run( $step, qw(--size 16x9 --output old.exr) );
+    is( substr( slurp('old.exr'), 0, 4 ),
+        "\x76\x2f\x31\x01", "step $step: --output old.exr writes OpenEXR" );
+    unlink 'old.exr';
+    is_deeply( [ everything_below('.') ],
+        [], "step $step: --output writes nothing else" );
+    is_refused( $step, [qw(--output a.jpg)],
+        [ qr/--output/, qr/\.png.*\.exr/ ], '--output a.jpg is refused' );
+    return;
+}
+
+# Moments can be shown from step 3 on, where there are some.
+sub check_show {
+    my ( $step, $plain ) = @_;
+    for my $what ( $step == 3 ? ( 'mean', 'variance' ) : 'variance' ) {
+        if ( $step < 3 ) {
+            is_refused( $step, [ '--show', $what ],
+                [qr/--show.*shaded.*depth/], "--show $what is refused" );
+            next;
+        }
+        my $picture = draw( $step, '--show', $what );
+        ok( $picture && $picture ne $plain,
+            "step $step: --show $what changes the picture" );
+    }
+    return;
+}
+
+# N frames give the medians of as many, as CSV, and the same picture.
+sub check_bench {
+    my ( $step, $plain ) = @_;
+    my $run = run( $step,
+        qw(--size 160x90 --bench 2 --output timed.png) );
+    my ( $head, @lines ) = split /\n/, $run->{out};
+    like( $head // '', qr/^pass,median_ms,/, "step $step: --bench has a head" );
+    my @broken = grep { !/^\w+,[\d.]+,[\d.]+,[\d.]+,2,/ } @lines;
+    ok( @lines >= 2 && !@broken, "step $step: --bench 2 times 2 frames" )
+      or diag( $run->{out}, $run->{err} );
+    ok( -e 'timed.png' && slurp('timed.png') eq $plain,
+        "step $step: --bench draws the same picture" );
+    unlink 'timed.png';
+    return;
+}
+
+sub check_bilinear {
+    my ( $step, $plain ) = @_;
+    my $picture = draw( $step, '--bilinear' );
+    ok( $picture && $picture ne $plain,
+        "step $step: --bilinear changes the picture" );
+    return;
+}
+
+# The name has what JSON has to escape.
+sub check_dump {
+    my ($step) = @_;
+    my $folder = 'a "dump" \here';
+    my $run    = run( $step, qw(--size 16x9 --output p.exr --dump), $folder );
+    is_deeply(
+        [ -d $folder ? everything_below($folder) : () ],
+        [ sort @BASE_FILES, @{ $DUMP_FILES{$step} } ],
+        "step $step: --dump writes every map, and nothing else"
+    ) or diag( $run->{err} );
+    my $json = eval { decode_json( slurp("$folder/run.json") ) } // {};
+    is( $json->{options}{dump}, $folder, "step $step: run.json is JSON" )
+      or diag($@);
+    my @missing =
+      grep { !exists $json->{options}{$_} } options_in_help($step);
+    is( "@missing", '', "step $step: run.json has every option" );
+    unlink 'p.exr';
+    remove_tree($folder);
+    return;
+}
+
+# A shader that was edited is used, and the others still come from the tree.
+sub check_shaders {
+    my ( $step, $plain ) = @_;
+    my $shader = 'step1_shadowmap/shaders/scene.frag';
+    my $text   = slurp( root() . "/$shader" );
+    $text =~ s/= albedo \*/= albedo.bgr */ or die "$shader has changed\n";
+    spew( "mine/$shader", $text );
+    my $mine = draw( $step, qw(--shaders mine) );
+    ok( $mine && $mine ne $plain, "step $step: --shaders takes my shader" );
+    remove_tree('mine');
+    return;
+}
+
+# Every scene of the list can be drawn, with its keys at both ends of their
+# range, and no further.
+sub check_list {
+    my ($step) = @_;
+    return if $step > 1;
+    my $run = run( $step, '--list-scenes' );
+    is( $run->{status}, 0, '--list-scenes exits with 0' );
+    is_deeply( [ everything_below('.') ],
+        [], '--list-scenes writes no file' );
+    my $scene = '';
+    for ( split /\n/, $run->{out} ) {
+        if (/^(every scene|\w+)  ?\S/ || /^(every scene)$/) {
+            $scene = $1 eq 'every scene' ? 'teapot' : $1;
+            ok( draw( $step, '--scene', $scene ), "scene $scene is drawn" );
+        }
+        elsif (/^\s+(\w+)=(\S+)\.\.(\S+) \(default \S+\)  \S/) {
+            check_key( $step, "$scene:$1", $2, $3 );
+        }
+        else {
+            fail("--list-scenes prints key, range, default and help: $_");
+        }
+    }
+    ok( $scene, '--list-scenes prints scenes' );
+    return;
+}
+
+sub check_key {
+    my ( $step, $key, $least, $most ) = @_;
+    for my $value ( $least, $most ) {
+        ok( draw( $step, '--scene', "$key=$value" ),
+            "scene $key=$value is drawn" );
+    }
+    my $beyond = $most * 1.1;
+    is_refused( $step, [ '--scene', "$key=$beyond" ],
+        [ qr/--scene/, qr/from \Q$least\E to \Q$most\E/ ],
+        "--scene $key=$beyond is refused" );
+    return;
+}
+
+my %help;
+
+sub help {
+    my ($step) = @_;
+    return $help{$step} //= run( $step, '--help' );
+}
+
+sub options_in_help {
+    my ($step) = @_;
+    return grep { $_ ne 'help' } help($step)->{out} =~ /^  --([\w-]+)/mg;
+}
+
+sub check_help {
+    my ($step) = @_;
+    my $run = help($step);
+    is( $run->{status}, 0, "step $step: --help exits with 0" );
+    my @expected =
+      grep { has_option( $step, $_ ) } sort keys %OPTIONS;
+    is_deeply( [ sort( options_in_help($step) ) ],
+        \@expected, "step $step: --help has the options tested here" );
+
+    # What is off, or nowhere, by default has no default to print.
+    my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
+    my @expected_silent = grep { $_ ne 'bilinear' || $step == 2 }
+      qw(bilinear dump help list-scenes shaders);
+    is( join( ' ', sort @silent ),
+        "@expected_silent", "step $step: --help prints every default" );
+    return;
+}
+
+sub has_option {
+    my ( $step, $name ) = @_;
+    return scalar grep { $_ == $step } @{ $OPTIONS{$name}{steps} };
+}
+
+sub check_option {
+    my ( $step, $name, $plain ) = @_;
+    my $option = $OPTIONS{$name};
+    my %values = map { $_ => $option->{$_} // [] } qw(differ same bad);
+    if ( $step != $option->{steps}[0] ) {
+        my $list = @{ $values{differ} } ? 'differ' : 'bad';
+        my @one  = $option->{check} ? () : $values{$list}[0];
+        %values = ( differ => [], same => [], bad => [], $list => \@one );
+    }
+    $option->{check}->( $step, $plain ) if $option->{check};
+    for my $value ( @{ $values{differ} } ) {
+        my $picture = draw( $step, "--$name", $value );
+        ok( $picture && $picture ne $plain,
+            "step $step: --$name $value changes the picture" );
+    }
+    for my $value ( @{ $values{same} } ) {
+        ok( $plain && draw( $step, "--$name", $value ) eq $plain,
+            "step $step: --$name $value is the default" );
+    }
+    for my $value ( @{ $values{bad} } ) {
+        is_refused( $step, [ "--$name", $value ],
+            [ qr/--$name\b/, $option->{allowed} ],
+            "--$name '$value' is refused" );
+    }
+    return;
+}
+
+for my $step ( 1 .. 5 ) {
+    check_help($step);
+    my $plain = draw($step);
+    is( png_size($plain), '160x90', "step $step: draws a picture" );
+    for my $name ( sort keys %OPTIONS ) {
+        if ( has_option( $step, $name ) ) {
+            check_option( $step, $name, $plain );
+        }
+    }
+}
+
+# What is wrong with a command line as a whole: step, arguments, what the line
+# on stderr names, and the test's name.
+my @WRONG = (
+    [ 1, ['--nope'],          qr/--nope/,    'an unknown option' ],
+    [ 1, ['-x'],              qr/-x/,        'a short option' ],
+    [ 5, ['teapot'],          qr/teapot/,    'a word that is no option' ],
+    [ 1, [ '--', 'x' ],       qr/'x'/,       'a word after --' ],
+    [ 1, ['--bias'],          qr/--bias/,    'an option without its value' ],
+    [ 1, ['--list-scenes=1'], qr/--list-sc/, 'a value where none belongs' ],
+    [ 1, [ '--scene', "e\nx" ], qr/--scene/, 'a name with a line break' ],
+
+    # Else what a command means would change when an option is added.
+    [ 5, [ '--b', '0.5' ], qr/--b'/, 'the beginning of several names' ],
+
+    [ 1, [qw(--kernel 3)],   qr/unknown.*--kernel/, 'an option of step 2' ],
+    [ 2, [qw(--blur box)],   qr/unknown.*--blur/,   'an option of step 4' ],
+    [ 3, [qw(--radius 3)],   qr/unknown.*--radius/, 'an option of step 4' ],
+    [ 4, [qw(--kernel 3)],   qr/unknown.*--kernel/, 'an option of step 2' ],
+    [ 5, [qw(--bias 0.001)], qr/unknown.*--bias/,   'an option of step 1' ],
+
+    [ 5, [qw(--map-size 4)], qr/--radius 3.* 0 to 1/, 'too small a map' ],
+    [ 4, [qw(--downsample 2 --radius 128)], qr/--radius/, 'too wide a blur' ],
+    [ 4, [qw(--map-size 64x66 --downsample 4)],
+        qr/--downsample/, 'a factor that divides one side only' ],
+    [ 4, [qw(--blur none --radius 3)],
+        qr/--radius.*--blur none/, 'a radius without a blur' ],
+    [ 5, [qw(--radius 4 --blur binomial)],
+        qr/--radius.*--blur binomial/, 'a radius that the kernel has not' ],
+);
+for (@WRONG) {
+    my ( $step, $arguments, $pattern, $name ) = @$_;
+    is_refused( $step, $arguments, [$pattern], "$name is refused" );
+}
+my $unblurred = draw( 4, qw(--blur none) );
+ok( $unblurred && $unblurred eq draw( 4, qw(--radius 0) ),
+    'step 4: no blur is the same as a blur of one texel' );
+unlike( run( 1, qw(--scene edge:gap) )->{err},
+    qr/no such key/, 'a key without a value is not called unknown' );
+unlike( run( 1, '--output', '' )->{err},
+    qr/from 0 to 0/, 'a text has no range' );
+
+done_testing;

@@ -1,0 +1,148 @@
+# Each step is a program of its own: `make standalone` copies exactly the
+# files of its list, and the copy builds and draws the same without the rest
+# of the tree. And what else the Makefile promises about a step.
+use strict;
+use warnings;
+
+use File::Compare qw(compare);
+use File::Temp    qw(tempdir);
+use Test::More;
+use VSM;
+
+my $work = tempdir( CLEANUP => 1 );
+
+# `make test` hands its own flags and options down; what is tested here is a
+# make that somebody types.
+delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES STEP DEPS BUILD)};
+delete @ENV{qw(CFLAGS CXXFLAGS LDFLAGS)};
+
+# The compiler does not change the picture, only how long image.cpp takes.
+my @quick = qw(-j2 DEPS=no CXXFLAGS=-O0);
+
+sub make {
+    return command( '/usr/bin/env', 'make', @_ );
+}
+
+# The words that a Makefile assigns to a list.
+sub list {
+    my ( $file, $name ) = @_;
+    my ($words) = slurp( root() . "/$file" ) =~ /^$name := ((?:.*\\\n)*.*)/m
+      or die "no list $name in $file\n";
+    return grep { $_ ne '\\' } split ' ', $words;
+}
+
+sub step_list {
+    my ($step) = @_;
+    my $name = program_name($step);
+    return list( "$name/Makefile", $name );
+}
+
+my @base = list( 'step1_shadowmap/base/base.mk', 'base' );
+
+sub check_copy {
+    my ( $step, $folder ) = @_;
+    my $name = program_name($step);
+    my $run  = make( '-C', root(), 'standalone', "STEP=$step", "DIR=$folder" );
+    is( $run->{status}, 0, "step $step: make standalone" )
+      or diag( $run->{out}, $run->{err} );
+    my %expected =
+      map { $_ => 1 } step_list($step), @base, "$name/Makefile", 'Makefile';
+    my @files = grep { -f "$folder/$_" } everything_below($folder);
+    is_deeply( \@files, [ sort keys %expected ],
+        "step $step: the copy is the list, the ground floor and Makefiles" );
+    my @changed = grep { compare( "$folder/$_", root() . "/$_" ) }
+      grep { $_ ne 'Makefile' } @files;
+    is( "@changed", '', "step $step: the copies are true" );
+    return;
+}
+
+# Step 4 is built from its own folder, the others from the copy's top.
+sub check_build {
+    my ( $step, $folder ) = @_;
+    my $where = $step == 4 ? "$folder/" . program_name($step) : $folder;
+    my $run   = make( '-C', $where, @quick );
+    is( $run->{status}, 0, "step $step: the copy builds" )
+      or diag( $run->{out}, $run->{err} );
+    is( $run->{err}, '', "step $step: without a warning" );
+    my $again = make( '-C', $where, @quick );
+    unlike( $again->{out}, qr/compile|link|glad/,
+        "step $step: a second make has nothing to do" );
+    is( $again->{status}, 0, "step $step: and is content" );
+    return;
+}
+
+# command() and not run(): VSM_SHADERS would reach only one of the two.
+sub check_picture {
+    my ( $step, $copy ) = @_;
+    my $ours  = "$work/ours$step.png";
+    my $alone = "$work/alone$step.png";
+    command( program($step), qw(--size 160x90 --output), $ours );
+    my $run = command( $copy, qw(--size 160x90 --output), $alone );
+    is( $run->{err}, '', "step $step: the copy draws" );
+    is( compare( $ours, $alone ),
+        0, "step $step: the copy's picture has the same bytes" );
+    return;
+}
+
+# The copy has its own shaders and reads them when it runs. Without the step's
+# own ones it stops, in whatever order it reads them.
+sub check_missing_shader {
+    my ( $step, $folder, $copy ) = @_;
+    my $shaders = program_name($step) . '/shaders';
+    unlink "$folder/$_" for grep { m{^$shaders/} } step_list($step);
+    mkdir "$folder/empty";
+    chdir "$folder/empty";
+    stops { command( $copy, qw(--size 16x9 --output a.png) ) } 1,
+      [qr{missing.*$shaders/\w+}], "step $step: a missing shader is named";
+    chdir '/';
+    return;
+}
+
+for my $step ( 1 .. 5 ) {
+    my $folder = "$work/mine$step";
+    my $copy   = "$folder/build/" . program_name($step);
+    check_copy( $step, $folder );
+
+    # The GL loader is generated and the same for all: made once.
+    if ( $step > 1 ) {
+        mkdir "$folder/build";
+        command( '/bin/cp', '-a', "$work/mine1/build/glad", "$folder/build" );
+    }
+    check_build( $step, $folder );
+    check_picture( $step, $copy );
+    check_missing_shader( $step, $folder, $copy );
+}
+
+for my $wrong ( [ 'STEP=6', "DIR=$work/x" ], ['STEP=4'] ) {
+    my $run = make( '-C', root(), 'standalone', @$wrong );
+    isnt( $run->{status}, 0, "make standalone @$wrong is refused" );
+    like( $run->{out}, qr/STEP is 1 to 5|say where/, 'and says why' );
+    ok( !-e "$work/x", 'and makes nothing' );
+}
+
+# The difference of two steps: main.c as a diff, and the files by name.
+for my $step ( 2 .. 5 ) {
+    my ( $old, $new ) = map { program_name($_) } $step - 1, $step;
+    my $run = make( '-C', root(), '-s', 'diff', "STEP=$step" );
+    is( $run->{status}, 0, "make diff STEP=$step" ) or diag( $run->{err} );
+    like( $run->{out}, qr{^--- $old/main\.c\n\+\+\+ $new/main\.c\n\@\@ }m,
+        "make diff STEP=$step shows main.c" );
+    my %before = map { $_ => 1 } step_list( $step - 1 );
+    my %now    = map { $_ => 1 } step_list($step);
+    my @new    = grep { !$before{$_} && $_ ne "$new/main.c" } keys %now;
+    my @gone   = grep { !$now{$_} && $_ ne "$old/main.c" } keys %before;
+    is_deeply( [ sort $run->{out} =~ /^new: (.*)/mg ],
+        [ sort @new ], "make diff STEP=$step names what is new" );
+    is_deeply( [ sort $run->{out} =~ /^gone: (.*)/mg ],
+        [ sort @gone ], "make diff STEP=$step names what is gone" );
+}
+my $first = make( '-C', root(), 'diff', 'STEP=1' );
+isnt( $first->{status}, 0, 'make diff STEP=1 is refused' );
+like( $first->{out}, qr/STEP is 2 to 5/, 'and says why' );
+
+my @build = $ENV{VSM_BUILD} ? "BUILD=$ENV{VSM_BUILD}" : ();
+my $again = make( '-C', root(), 'programs', 'DEPS=no', @build );
+unlike( $again->{out}, qr/compile|link|glad/,
+    'make has nothing to do after make' );
+
+done_testing;
