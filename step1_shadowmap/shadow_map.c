@@ -43,6 +43,9 @@ ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
     ShadowMap map = {.width = views->width,
                      .height = views->height,
                      .layers = views->layers};
+    size_t texels = (size_t)map.width * (size_t)map.height;
+    map.bytes = texels * ((size_t)map.layers * gl_texel_bytes(format) +
+                          gl_texel_bytes(GL_DEPTH_COMPONENT32F));
     map.program = gl_program(files, vertex, fragment);
     map.texture =
         gl_texture_array(format, map.width, map.height, map.layers, filter);

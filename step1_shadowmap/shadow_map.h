@@ -26,6 +26,7 @@ typedef struct ShadowMap {
     GLuint depth_buffer;
     GLuint framebuffers[VIEW_MAX_LAYERS];
     int width, height, layers;
+    size_t bytes; // of the texture and the depth buffer
 } ShadowMap;
 
 // A map of the given format, one layer per view, filled by the fragment

@@ -66,9 +66,13 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step2_pcf",      2,
-                         state.base.scene, state.options,
-                         &state.views,     &state.stopwatch};
+        const Run run = {.program = "step2_pcf",
+                         .step = 2,
+                         .scene = state.base.scene,
+                         .tables = state.options,
+                         .views = &state.views,
+                         .stopwatch = &state.stopwatch,
+                         .map_bytes = state.map.bytes};
         dump_layers(state.base.dump, "depth", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 1);
         scene_draw_dump(&state.picture, state.base.dump);

@@ -65,9 +65,13 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step3_moments",  3,
-                         state.base.scene, state.options,
-                         &state.views,     &state.stopwatch};
+        const Run run = {.program = "step3_moments",
+                         .step = 3,
+                         .scene = state.base.scene,
+                         .tables = state.options,
+                         .views = &state.views,
+                         .stopwatch = &state.stopwatch,
+                         .map_bytes = state.map.bytes};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
         scene_draw_dump(&state.picture, state.base.dump);

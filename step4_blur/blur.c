@@ -75,8 +75,10 @@ int blur_reach(const BlurSettings *settings)
     return (used_radius(settings) + 1) * settings->downsample;
 }
 
-static BlurTarget create_target(const Blur *blur, GLenum format)
+static BlurTarget create_target(Blur *blur, GLenum format)
 {
+    blur->bytes += (size_t)blur->width * (size_t)blur->height *
+                   (size_t)blur->layers * gl_texel_bytes(format);
     BlurTarget target = {.texture =
                              gl_texture_array(format, blur->width, blur->height,
                                               blur->layers, GL_LINEAR)};

@@ -45,6 +45,7 @@ typedef struct Blur {
     BlurTarget vertical;   // then along v
     int factor, radius;
     int width, height, layers; // of the result
+    size_t bytes;              // of the textures that the filter needs
 } Blur;
 
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,

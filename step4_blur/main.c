@@ -76,9 +76,13 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {"step4_blur",     4,
-                         state.base.scene, state.options,
-                         &state.views,     &state.stopwatch};
+        const Run run = {.program = "step4_blur",
+                         .step = 4,
+                         .scene = state.base.scene,
+                         .tables = state.options,
+                         .views = &state.views,
+                         .stopwatch = &state.stopwatch,
+                         .map_bytes = state.map.bytes + state.filter.bytes};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
         dump_layers(state.base.dump, "blurred", state.filtered,

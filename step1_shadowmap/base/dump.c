@@ -78,6 +78,7 @@ static void write_run(FILE *file, const Run *run)
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);
     write_views(file, run->views);
+    fprintf(file, "  \"map_bytes\": %zu,\n", run->map_bytes);
     fprintf(file, "  \"gl_renderer\": \"%s\",\n",
             (const char *)glGetString(GL_RENDERER));
     fprintf(file, "  \"gl_version\": \"%s\",\n",

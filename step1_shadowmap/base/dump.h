@@ -22,6 +22,7 @@ typedef struct Run {
     const OptionTable *tables;
     const Views *views;
     const Stopwatch *stopwatch;
+    size_t map_bytes; // of all maps that the light's part of the frame needs
 } Run;
 
 // Writes directory/run.json: the options, the origin and the matrices in

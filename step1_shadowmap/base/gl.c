@@ -183,6 +183,22 @@ GLuint gl_texture_array(GLenum format, int width, int height, int layers,
     return texture;
 }
 
+size_t gl_texel_bytes(GLenum format)
+{
+    switch (format) {
+    case GL_R32F:
+    case GL_RG16F:
+    case GL_DEPTH_COMPONENT32F:
+        return 4;
+    case GL_RG32F:
+        return 8;
+    case GL_RGBA32F:
+        return 16;
+    default:
+        die("no size for the format 0x%x", format);
+    }
+}
+
 GLuint gl_texture(GLenum format, int width, int height)
 {
     GLuint texture;

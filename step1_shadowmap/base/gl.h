@@ -5,6 +5,7 @@
 #define BASE_GL_H
 
 #include <glad/gl.h>
+#include <stddef.h> // size_t
 
 typedef void (*GlFunction)(void);
 typedef GlFunction (*GlLoader)(const char *name);
@@ -32,6 +33,9 @@ GLuint gl_program(ShaderFiles where, const char *const vertex[],
 // moments. `filter` is GL_NEAREST or GL_LINEAR.
 GLuint gl_texture_array(GLenum format, int width, int height, int layers,
                         GLenum filter);
+
+// Bytes of one texel of the formats that these programs use.
+size_t gl_texel_bytes(GLenum format);
 
 // A plain 2D texture, read with texelFetch.
 GLuint gl_texture(GLenum format, int width, int height);
