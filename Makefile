@@ -55,10 +55,6 @@ diff: ## what step STEP changes against the step before it
 	@for f in $(filter-out $($(program)) $(before)/main.c,$($(before))); do \
 	    echo "gone: $$f"; done
 
-figures: programs ## make every committed picture again
-	@for p in $(PROGRAMS); do \
-	    $(BUILD)/$$p --size 640x360 --output $$p/figure.png || exit 1; done
-
 clean: ## remove build/ and out/
 	rm -rf build out
 

@@ -52,6 +52,12 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, as a ta
 mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
+FIGURE_RECOGNISED := gnuplot-nox:command:gnuplot
+figures: set-up-tests programs $(BUILD)/oracle ## make every committed picture again
+	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the figures' $(FIGURE_RECOGNISED)
+	@for p in $(PROGRAMS); do \
+	    sh tests/report/figures.sh $(BUILD) $$p || exit 1; done
+
 CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
 lint: programs $(BUILD)/oracle ## compile with gcc and clang without a warning, check the format
 	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'lint' $(LINT_RECOGNISED)

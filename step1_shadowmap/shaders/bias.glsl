@@ -27,7 +27,8 @@ vec2 depth_slope(Receiver receiver)
 }
 
 // For a comparison with kernel x kernel texels of a map of map_size texels:
-// the furthest texel centre is at most kernel / 2 texels from the receiver.
+// along each axis the furthest texel centre is at most kernel / 2 texels from
+// the receiver; half a texel more is margin.
 float comparison_bias(Receiver receiver, int kernel, vec2 map_size)
 {
     vec2 per_texel = depth_slope(receiver) / map_size;
