@@ -29,7 +29,7 @@ static void read_settings(int argc, char **argv)
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
     options_parse(argc, argv, state.options);
-    base_settings_check(&state.base, state.options);
+    base_settings_check(&state.base);
 }
 
 static void create(void)
@@ -62,6 +62,7 @@ static void draw_frame(void)
 
 static void write_files(void)
 {
+    base_make_directories(&state.base, state.options);
     if (state.base.dump != NULL) {
         const Run run = {.program = "step1_shadowmap",
                          .step = 1,

@@ -32,7 +32,7 @@ static void read_settings(int argc, char **argv)
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
     state.options[2] = (OptionTable){pcf_options, &state.pcf, {false}};
     options_parse(argc, argv, state.options);
-    base_settings_check(&state.base, state.options);
+    base_settings_check(&state.base);
 }
 
 static void create(void)
@@ -65,6 +65,7 @@ static void draw_frame(void)
 
 static void write_files(void)
 {
+    base_make_directories(&state.base, state.options);
     if (state.base.dump != NULL) {
         const Run run = {.program = "step2_pcf",
                          .step = 2,

@@ -32,7 +32,7 @@ static void read_settings(int argc, char **argv)
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
     state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     options_parse(argc, argv, state.options);
-    base_settings_check(&state.base, state.options);
+    base_settings_check(&state.base);
 }
 
 static void create(void)
@@ -64,6 +64,7 @@ static void draw_frame(void)
 
 static void write_files(void)
 {
+    base_make_directories(&state.base, state.options);
     if (state.base.dump != NULL) {
         const Run run = {.program = "step3_moments",
                          .step = 3,

@@ -41,7 +41,7 @@ static void read_settings(int argc, char **argv)
         (OptionTable){chebyshev_options, &state.chebyshev, {false}};
     options_parse(argc, argv, state.options);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
-    base_settings_check(&state.base, state.options);
+    base_settings_check(&state.base);
 }
 
 static void create(void)
@@ -76,6 +76,7 @@ static void draw_frame(void)
 
 static void write_files(void)
 {
+    base_make_directories(&state.base, state.options);
     if (state.base.dump != NULL) {
         const Run run = {.program = "step5_chebyshev",
                          .step = 5,

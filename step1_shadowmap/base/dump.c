@@ -74,7 +74,9 @@ static void write_run(FILE *file, const Run *run)
 {
     fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n", run->program,
             run->step);
-    fprintf(file, "  \"scene\": \"%s\",\n  \"options\": {", run->scene);
+    fputs("  \"scene\": ", file);
+    options_write_text(file, run->scene);
+    fputs(",\n  \"options\": {", file);
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);
     write_views(file, run->views);

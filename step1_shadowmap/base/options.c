@@ -14,9 +14,36 @@ static void *value_of(const OptionTable *table, const Option *option)
     return (char *)table->settings + option->offset;
 }
 
-static void write_value(FILE *file, const OptionTable *table,
-                        const Option *option, const char *quote)
+void options_write_text(FILE *file, const char *text)
 {
+    fputc('"', file);
+    for (; *text != '\0'; text++) {
+        unsigned char letter = (unsigned char)*text;
+        if (letter == '"' || letter == '\\') {
+            fprintf(file, "\\%c", letter);
+        } else if (letter < ' ') {
+            fprintf(file, "\\u%04x", letter);
+        } else {
+            fputc(letter, file);
+        }
+    }
+    fputc('"', file);
+}
+
+// For --help, or (quoted) for JSON.
+static void write_text(FILE *file, const char *text, bool quoted)
+{
+    if (quoted) {
+        options_write_text(file, text);
+    } else {
+        fputs(text, file);
+    }
+}
+
+static void write_value(FILE *file, const OptionTable *table,
+                        const Option *option, bool quoted)
+{
+    char extent_text[32];
     const void *value = value_of(table, option);
     const int *extent = value;
     const char *text = NULL;
@@ -27,7 +54,7 @@ static void write_value(FILE *file, const OptionTable *table,
     case OPTION_TEXT:
     case OPTION_CHOICE:
         text = *(const char *const *)value;
-        fprintf(file, "%s%s%s", quote, text == NULL ? "" : text, quote);
+        write_text(file, text == NULL ? "" : text, quoted);
         break;
     case OPTION_INTEGER:
     case OPTION_ODD:
@@ -35,14 +62,16 @@ static void write_value(FILE *file, const OptionTable *table,
         break;
     case OPTION_NUMBER:
         if (*(const double *)value == OPTION_AUTO) {
-            fprintf(file, "%s%s%s", quote, option->choices, quote);
+            write_text(file, option->choices, quoted);
         } else {
             fprintf(file, "%.12g", *(const double *)value);
         }
         break;
     case OPTION_EXTENT:
     case OPTION_SIDE:
-        fprintf(file, "%s%dx%d%s", quote, extent[0], extent[1], quote);
+        snprintf(extent_text, sizeof extent_text, "%dx%d", extent[0],
+                 extent[1]);
+        write_text(file, extent_text, quoted);
         break;
     }
 }
@@ -61,7 +90,7 @@ static void print_help(const char *program, const OptionTable tables[])
                               (option->kind == OPTION_TEXT && *text == NULL);
             if (!no_default) {
                 fputs(" (default ", stdout);
-                write_value(stdout, table, option, "");
+                write_value(stdout, table, option, false);
                 fputs(")", stdout);
             }
             putchar('\n');
@@ -87,6 +116,9 @@ static _Noreturn void refuse(const Option *option, const char *text)
                   text, option->minimum, option->maximum,
                   option->choices ? ", or " : "",
                   option->choices ? option->choices : "");
+    case OPTION_TEXT:
+        die_usage("--%s '%s': wants %s: %s", name, text, option->argument,
+                  option->help);
     default:
         die_usage("--%s '%s': allowed is %s, each from %.0f to %.0f", name,
                   text, option->argument, option->minimum, option->maximum);
@@ -264,7 +296,7 @@ void options_write_json(FILE *file, const OptionTable tables[])
     for (const OptionTable *table = tables; table->options; table++) {
         for (const Option *option = table->options; option->name; option++) {
             fprintf(file, "%s\n    \"%s\": ", separator, option->name);
-            write_value(file, table, option, "\"");
+            write_value(file, table, option, true);
             separator = ",";
         }
     }

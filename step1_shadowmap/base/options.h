@@ -48,6 +48,9 @@ void options_parse(int argc, char **argv, OptionTable tables[]);
 // Whether the command line named this option.
 bool options_given(const OptionTable tables[], const char *name);
 
+// A text as a JSON string, quoted and escaped.
+void options_write_text(FILE *file, const char *text);
+
 // The options and their values as the members of a JSON object.
 void options_write_json(FILE *file, const OptionTable tables[]);
 

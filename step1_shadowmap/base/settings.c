@@ -120,8 +120,7 @@ BaseSettings base_settings(const char *output, const ShowMode *more_shows)
                           .context = "osmesa"};
 }
 
-void base_settings_check(const BaseSettings *settings,
-                         const OptionTable tables[])
+void base_settings_check(const BaseSettings *settings)
 {
     if (settings->list_scenes) {
         scene_list(stdout);
@@ -132,6 +131,11 @@ void base_settings_check(const BaseSettings *settings,
         die_usage("--output '%s': the name has to end in .png or .exr",
                   settings->output);
     }
+}
+
+void base_make_directories(const BaseSettings *settings,
+                           const OptionTable tables[])
+{
     if (settings->dump != NULL) {
         file_make_directory(settings->dump);
     }

@@ -33,10 +33,13 @@ BaseSettings base_settings(const char *output, const ShowMode *more_shows);
 const ShowMode *base_show_mode(const BaseSettings *settings);
 
 // Answers --list-scenes (and exits with 0), refuses an output name with an
-// unknown ending (status 2) and makes the directories of the default output
-// and of --dump. To be called after options_parse.
-void base_settings_check(const BaseSettings *settings,
-                         const OptionTable tables[]);
+// unknown ending (status 2). To be called after options_parse.
+void base_settings_check(const BaseSettings *settings);
+
+// Makes the directories of the default output and of --dump, once everything
+// that could be wrong with the options has been looked at.
+void base_make_directories(const BaseSettings *settings,
+                           const OptionTable tables[]);
 
 // How many frames to draw: one, or those to time and the warm-up before them.
 int base_frames(const BaseSettings *settings);
