@@ -14,7 +14,7 @@ set-up-tests: set-up
 ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
-    scene mesh die)
+    scene scene_table mesh die)
 EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\
     $(firstword $(wildcard /usr/include/embree*/rtcore.h)))
 

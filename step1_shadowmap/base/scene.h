@@ -8,7 +8,7 @@
 
 #include "step1_shadowmap/base/mesh.h"
 
-enum { SCENE_MAX_OBJECTS = 16, SCENE_MAX_MESHES = 4 };
+enum { SCENE_MAX_OBJECTS = 512, SCENE_MAX_MESHES = 4 };
 
 typedef struct Camera {
     double position[3]; // world space
