@@ -15,12 +15,13 @@ include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
 .PHONY: all programs set-up set-up-tests test mutants sanitize report \
-    standalone diff figures lint format clean help
+    standalone window diff figures lint format clean help
 
 # What each Debian package is recognised by.
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
     python3-glad:command:glad libosmesa6-dev:module:osmesa \
-    libcglm-dev:module:cglm libopenimageio-dev:module:OpenImageIO \
+    libglfw3-dev:module:glfw3 libcglm-dev:module:cglm \
+    libopenimageio-dev:module:OpenImageIO \
     openimageio-tools:command:oiiotool
 
 set-up: ## install the packages that are missing (DEPS=no: only name them)
@@ -44,6 +45,10 @@ standalone: ## copy exactly step STEP's files to DIR, which then builds alone
 	@cp --parents $($(program)) $(base) $(program)/Makefile '$(DIR)'
 	@printf 'ROOT := .\ninclude $(program)/Makefile\n' >'$(DIR)/Makefile'
 	@echo 'make -C $(DIR) builds $(DIR)/build/$(program)'
+
+window: $(program:%=build/%) ## open step STEP in a window
+	@test -n '$(program)' || { echo 'STEP is 1 to 5'; exit 2; }
+	@$< --window
 
 before = $(filter step$(shell expr $(STEP) - 1)_%,$(PROGRAMS))
 diff: ## what step STEP changes against the step before it

@@ -63,14 +63,19 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
     static const float far_depth[4] = {1, 1, 1, 1};
     glEnable(GL_DEPTH_TEST);
     glViewport(0, 0, map->width, map->height);
-    glUseProgram(map->program);
+    glUseProgram(map->program.id);
     for (int layer = 0; layer < map->layers; layer++) {
         glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
         glClearBufferfv(GL_COLOR, 0, far_depth);
         glClearBufferfv(GL_DEPTH, 0, far_depth);
-        view_set_layer(map->program, views, layer);
-        geometry_draw(geometry, scene, views->origin, map->program);
+        view_set_layer(map->program.id, views, layer);
+        geometry_draw(geometry, scene, views->origin, map->program.id);
     }
+}
+
+bool shadow_map_reload(ShadowMap *map)
+{
+    return gl_program_reload(&map->program);
 }
 
 void shadow_map_destroy(ShadowMap *map)
@@ -78,6 +83,6 @@ void shadow_map_destroy(ShadowMap *map)
     glDeleteFramebuffers(map->layers, map->framebuffers);
     glDeleteRenderbuffers(1, &map->depth_buffer);
     glDeleteTextures(1, &map->texture);
-    glDeleteProgram(map->program);
+    gl_program_destroy(&map->program);
     *map = (ShadowMap){0};
 }

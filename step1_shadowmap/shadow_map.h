@@ -21,7 +21,7 @@ BiasSettings bias_settings(void);
 void bias_apply(const BiasSettings *settings, GLuint program);
 
 typedef struct ShadowMap {
-    GLuint program;
+    Program program;
     GLuint texture; // 2D array, a layer per view
     GLuint depth_buffer;
     GLuint framebuffers[VIEW_MAX_LAYERS];
@@ -39,6 +39,9 @@ ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
 // Draws the scene into every layer; what nothing covers is at far depth, 1.
 void shadow_map_draw(const ShadowMap *map, const Scene *scene,
                      const Geometry *geometry, const Views *views);
+
+// Compiles the shaders again; see gl_program_reload.
+bool shadow_map_reload(ShadowMap *map);
 
 void shadow_map_destroy(ShadowMap *map);
 

@@ -6,6 +6,7 @@
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
+#include "step1_shadowmap/base/window.h"     // window_next, window_show
 #include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
 #include "step2_pcf/pcf.h"                   // pcf_apply
 
@@ -21,6 +22,7 @@ static struct {
     ShadowMap map;
     SceneDraw picture;
     Stopwatch stopwatch;
+    Window window;
 } state;
 
 static void read_settings(int argc, char **argv)
@@ -41,7 +43,7 @@ static void create(void)
                                       "step2_pcf/shaders/map_depth.glsl",
                                       pcf_shader(&state.pcf), NULL};
     scene_create(&state.scene, state.base.scene);
-    state.context = context_create();
+    state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               pcf_reach(&state.pcf));
     state.geometry = geometry_create(&state.scene);
@@ -49,8 +51,6 @@ static void create(void)
         shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
                           GL_NEAREST, "step1_shadowmap/shaders/depth.frag");
     state.picture = scene_draw_create(&state.base, visibility);
-    bias_apply(&state.bias, state.picture.program);
-    pcf_apply(&state.pcf, state.picture.program);
 }
 
 static void draw_frame(void)
@@ -58,6 +58,8 @@ static void draw_frame(void)
     stopwatch_start(&state.stopwatch);
     shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
     stopwatch_lap(&state.stopwatch, "depth");
+    bias_apply(&state.bias, state.picture.program.id);
+    pcf_apply(&state.pcf, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.map.texture);
     stopwatch_lap(&state.stopwatch, "shading");
@@ -65,7 +67,6 @@ static void draw_frame(void)
 
 static void write_files(void)
 {
-    base_make_directories(&state.base, state.options);
     if (state.base.dump != NULL) {
         const Run run = {.program = "step2_pcf",
                          .step = 2,
@@ -85,6 +86,24 @@ static void write_files(void)
     }
 }
 
+static void run_window(void)
+{
+    state.window = window_create(&state.context, &state.base,
+                                 "step 2, kernel %d", state.pcf.kernel);
+    while (window_next(&state.window, &state.scene.camera)) {
+        if (state.window.reload) {
+            bool compiled = shadow_map_reload(&state.map) &&
+                            scene_draw_reload(&state.picture);
+            window_reload(&state.window, compiled);
+        }
+        views_fit(&state.views, &state.scene, state.base.size,
+                  state.base.map_size, pcf_reach(&state.pcf));
+        draw_frame();
+        window_show(&state.window, &state.picture, &state.stopwatch);
+    }
+    window_destroy(&state.window);
+}
+
 static void destroy(void)
 {
     scene_draw_destroy(&state.picture);
@@ -101,7 +120,12 @@ int main(int argc, char **argv)
     for (int i = 0; i < base_frames(&state.base); i++) {
         draw_frame();
     }
-    write_files();
+    base_make_directories(&state.base, state.options);
+    if (state.base.window) {
+        run_window();
+    } else {
+        write_files();
+    }
     destroy();
     return 0;
 }

@@ -127,7 +127,7 @@ static GLuint create_weights(const BlurSettings *settings)
     return texture;
 }
 
-static GLuint create_program(ShaderFiles files, const char *fragment_shader)
+static Program create_program(ShaderFiles files, const char *fragment_shader)
 {
     const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
     const char *fragment[] = {"step4_blur/shaders/map_texel.glsl",
@@ -175,7 +175,7 @@ static void draw_layers(const Blur *blur, GLuint program, GLuint source,
 
 static void downsample(const Blur *blur, GLuint source)
 {
-    GLuint program = blur->downsample_program;
+    GLuint program = blur->downsample_program.id;
     glUseProgram(program);
     glUniform1i(glGetUniformLocation(program, "factor"), blur->factor);
     draw_layers(blur, program, source, &blur->small);
@@ -183,7 +183,7 @@ static void downsample(const Blur *blur, GLuint source)
 
 static void blur_axes(const Blur *blur, GLuint source)
 {
-    GLuint program = blur->blur_program;
+    GLuint program = blur->blur_program.id;
     GLint axis = glGetUniformLocation(program, "axis");
     glUseProgram(program);
     glUniform1i(glGetUniformLocation(program, "radius"), blur->radius);
@@ -212,6 +212,12 @@ GLuint blur_apply(const Blur *blur, const ShadowMap *moments)
     return result;
 }
 
+bool blur_reload(Blur *blur)
+{
+    return gl_program_reload(&blur->downsample_program) &&
+           gl_program_reload(&blur->blur_program);
+}
+
 static void destroy_target(const Blur *blur, BlurTarget *target)
 {
     glDeleteFramebuffers(blur->layers, target->framebuffers);
@@ -225,8 +231,8 @@ void blur_destroy(Blur *blur)
     destroy_target(blur, &blur->horizontal);
     destroy_target(blur, &blur->small);
     glDeleteTextures(1, &blur->weights);
-    glDeleteProgram(blur->blur_program);
-    glDeleteProgram(blur->downsample_program);
+    gl_program_destroy(&blur->blur_program);
+    gl_program_destroy(&blur->downsample_program);
     glDeleteVertexArrays(1, &blur->empty_vao);
     *blur = (Blur){.width = 0};
 }

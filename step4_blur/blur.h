@@ -36,9 +36,9 @@ typedef struct BlurTarget {
 } BlurTarget;
 
 typedef struct Blur {
-    GLuint downsample_program; // 0 where the factor is 1
-    GLuint blur_program;       // 0 where the radius is 0
-    GLuint weights;            // 1D kernel, 2 radius + 1 texels
+    Program downsample_program; // none where the factor is 1
+    Program blur_program;       // none where the radius is 0
+    GLuint weights;             // 1D kernel, 2 radius + 1 texels
     GLuint empty_vao;
     BlurTarget small;      // downsampled
     BlurTarget horizontal; // blurred along u
@@ -54,6 +54,9 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
 // Filters every layer and returns the texture that holds the result: the
 // moments themselves where there is nothing to do.
 GLuint blur_apply(const Blur *blur, const ShadowMap *moments);
+
+// Compiles the shaders again; see gl_program_reload.
+bool blur_reload(Blur *blur);
 
 void blur_destroy(Blur *blur);
 

@@ -7,6 +7,7 @@
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
+#include "step1_shadowmap/base/window.h"     // window_next, window_show
 #include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
 #include "step3_moments/moments.h"           // moments_create
 #include "step4_blur/blur.h"                 // blur_apply
@@ -26,6 +27,7 @@ static struct {
     GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
     Stopwatch stopwatch;
+    Window window;
 } state;
 
 static void read_settings(int argc, char **argv)
@@ -49,7 +51,7 @@ static void create(void)
         "step1_shadowmap/shaders/bias.glsl", "step3_moments/shaders/mean.glsl",
         NULL};
     scene_create(&state.scene, state.base.scene);
-    state.context = context_create();
+    state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
@@ -58,7 +60,6 @@ static void create(void)
     state.filter = blur_create(base_shader_files(&state.base), &state.blur,
                                &state.map, moments_format(&state.moments));
     state.picture = scene_draw_create(&state.base, visibility);
-    bias_apply(&state.bias, state.picture.program);
 }
 
 static void draw_frame(void)
@@ -68,6 +69,7 @@ static void draw_frame(void)
     stopwatch_lap(&state.stopwatch, "moments");
     state.filtered = blur_apply(&state.filter, &state.map);
     stopwatch_lap(&state.stopwatch, "blur");
+    bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");
@@ -75,7 +77,6 @@ static void draw_frame(void)
 
 static void write_files(void)
 {
-    base_make_directories(&state.base, state.options);
     if (state.base.dump != NULL) {
         const Run run = {.program = "step4_blur",
                          .step = 4,
@@ -98,6 +99,25 @@ static void write_files(void)
     }
 }
 
+static void run_window(void)
+{
+    state.window = window_create(&state.context, &state.base,
+                                 "step 4, radius %d", state.blur.radius);
+    while (window_next(&state.window, &state.scene.camera)) {
+        if (state.window.reload) {
+            bool compiled = shadow_map_reload(&state.map) &&
+                            blur_reload(&state.filter) &&
+                            scene_draw_reload(&state.picture);
+            window_reload(&state.window, compiled);
+        }
+        views_fit(&state.views, &state.scene, state.base.size,
+                  state.base.map_size, blur_reach(&state.blur));
+        draw_frame();
+        window_show(&state.window, &state.picture, &state.stopwatch);
+    }
+    window_destroy(&state.window);
+}
+
 static void destroy(void)
 {
     scene_draw_destroy(&state.picture);
@@ -115,7 +135,12 @@ int main(int argc, char **argv)
     for (int i = 0; i < base_frames(&state.base); i++) {
         draw_frame();
     }
-    write_files();
+    base_make_directories(&state.base, state.options);
+    if (state.base.window) {
+        run_window();
+    } else {
+        write_files();
+    }
     destroy();
     return 0;
 }

@@ -4,7 +4,7 @@
 set -eu
 flags="-I. -Ibuild/glad/include -DSHADER_ROOT=\"\" -fsyntax-only -Werror
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion"
-packages=$(pkg-config --cflags-only-I osmesa cglm | sed 's/-I/-isystem /g')
+packages=$(pkg-config --cflags-only-I osmesa glfw3 cglm | sed 's/-I/-isystem /g')
 for compiler in gcc clang; do
     for file in $(git ls-files '*.c'); do
         # shellcheck disable=SC2086 # lists of words

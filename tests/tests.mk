@@ -2,7 +2,8 @@
 
 TEST_RECOGNISED := libglm-dev:module:glm perl:command:prove \
     libembree-dev:header:/usr/include/embree*/rtcore.h \
-    nlohmann-json3-dev:header:/usr/include/nlohmann/json.hpp
+    nlohmann-json3-dev:header:/usr/include/nlohmann/json.hpp \
+    xvfb:command:Xvfb xdotool:command:xdotool imagemagick:command:import
 LINT_RECOGNISED := clang:command:clang clang-format:command:clang-format \
     shellcheck:command:shellcheck
 

@@ -23,6 +23,8 @@ base := \
     step1_shadowmap/shaders/legend.frag \
     step1_shadowmap/shaders/dump.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \
+    step1_shadowmap/base/window.h step1_shadowmap/base/window.c \
+    step1_shadowmap/shaders/present.frag \
     step1_shadowmap/base/context.h step1_shadowmap/base/context.c \
     step1_shadowmap/base/gl.h step1_shadowmap/base/gl.c \
     step1_shadowmap/base/options.h step1_shadowmap/base/options.c \
@@ -36,7 +38,7 @@ base := \
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= -O2 -g
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-PACKAGES := osmesa cglm OpenImageIO
+PACKAGES := osmesa glfw3 cglm OpenImageIO
 BUILD := $(ROOT)/build
 # Recursive on purpose: the set-up may install the packages first.
 INCLUDES = -I$(ROOT) -I$(BUILD)/glad/include \

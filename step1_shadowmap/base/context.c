@@ -4,8 +4,11 @@
 #include <glad/gl.h>
 
 #include <GL/osmesa.h>
+#define GLFW_INCLUDE_NONE // no GL header of its own
+#include <GLFW/glfw3.h>
 #include <stddef.h> // NULL
 #include <stdlib.h> // free
+#include <string.h> // strlen
 
 #include "step1_shadowmap/base/die.h" // die, allocate
 #include "step1_shadowmap/base/gl.h"  // gl_load
@@ -30,7 +33,7 @@ static OSMesaContext create_core_context(void)
     return OSMesaCreateContextAttribs(attributes, NULL);
 }
 
-Context context_create(void)
+static Context create_offscreen(void)
 {
     Context context = {.osmesa = create_core_context()};
     if (context.osmesa == NULL) {
@@ -46,9 +49,132 @@ Context context_create(void)
     return context;
 }
 
+static const char *glfw_reason(void)
+{
+    const char *reason = NULL;
+    glfwGetError(&reason);
+    return reason == NULL ? "no reason given" : reason;
+}
+
+static void on_key(GLFWwindow *window, int key, int scancode, int action,
+                   int modifiers)
+{
+    (void)scancode, (void)modifiers;
+    Input *input = glfwGetWindowUserPointer(window);
+    if (action == GLFW_RELEASE) {
+        return;
+    }
+    input->close = input->close || key == GLFW_KEY_ESCAPE;
+    input->arrows[0] += (key == GLFW_KEY_RIGHT) - (key == GLFW_KEY_LEFT);
+    input->arrows[1] += (key == GLFW_KEY_DOWN) - (key == GLFW_KEY_UP);
+}
+
+// Letters come as characters, not as keys: those are named after their place
+// on an American keyboard.
+static void on_character(GLFWwindow *window, unsigned int character)
+{
+    Input *input = glfwGetWindowUserPointer(window);
+    size_t length = strlen(input->typed);
+    if (character < 128 && length + 1 < INPUT_MAX_TYPED) {
+        input->typed[length] = (char)character;
+    }
+}
+
+static void on_cursor(GLFWwindow *window, double x, double y)
+{
+    Input *input = glfwGetWindowUserPointer(window);
+    if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+        input->drag[0] += x - input->cursor[0];
+        input->drag[1] += y - input->cursor[1];
+    }
+    input->cursor[0] = x;
+    input->cursor[1] = y;
+}
+
+static void on_wheel(GLFWwindow *window, double x, double y)
+{
+    (void)x;
+    Input *input = glfwGetWindowUserPointer(window);
+    input->wheel += y;
+}
+
+static void on_exposed(GLFWwindow *window)
+{
+    Input *input = glfwGetWindowUserPointer(window);
+    input->exposed = true;
+}
+
+static Context create_window(const int size[2])
+{
+    if (!glfwInit()) {
+        die("no display: --window needs one (%s); without --window the "
+            "picture goes to a file",
+            glfw_reason());
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS insists
+    glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_ALPHA_BITS, 0); // opaque
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    Context context = {
+        .window = glfwCreateWindow(size[0], size[1], "drawing", NULL, NULL)};
+    if (context.window == NULL) {
+        die("cannot open a window with OpenGL 3.3 (%s)", glfw_reason());
+    }
+    glfwMakeContextCurrent(context.window);
+    gl_load(glfwGetProcAddress);
+    return context;
+}
+
+Context context_create(bool window, const int size[2])
+{
+    return window ? create_window(size) : create_offscreen();
+}
+
+// From the first call on, so that the callbacks always have an Input.
+static void listen(GLFWwindow *window, Input *input)
+{
+    glfwSetWindowUserPointer(window, input);
+    glfwGetCursorPos(window, &input->cursor[0], &input->cursor[1]);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, on_character);
+    glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetScrollCallback(window, on_wheel);
+    glfwSetWindowRefreshCallback(window, on_exposed);
+}
+
+void context_wait(const Context *context, Input *input)
+{
+    *input = (Input){.cursor = {input->cursor[0], input->cursor[1]}};
+    if (glfwGetWindowUserPointer(context->window) == NULL) {
+        listen(context->window, input);
+    }
+    glfwWaitEvents();
+    input->close = input->close || glfwWindowShouldClose(context->window);
+}
+
+void context_framebuffer_size(const Context *context, int size[2])
+{
+    glfwGetFramebufferSize(context->window, &size[0], &size[1]);
+}
+
+void context_show(const Context *context, const char *title)
+{
+    glfwSwapBuffers(context->window);
+    glfwSetWindowTitle(context->window, title);
+}
+
 void context_destroy(Context *context)
 {
-    OSMesaDestroyContext(context->osmesa);
-    free(context->pixels);
+    if (context->window != NULL) {
+        glfwDestroyWindow(context->window);
+        glfwTerminate();
+    } else {
+        OSMesaDestroyContext(context->osmesa);
+        free(context->pixels);
+    }
     *context = (Context){0};
 }

@@ -7,26 +7,41 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static _Noreturn void stop(int status, const char *format, va_list arguments)
+static void print(const char *format, va_list arguments)
 {
-    fprintf(stderr, "%s: ", program_invocation_short_name);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
-    exit(status);
+    char message[2048];
+    vsnprintf(message, sizeof message, format, arguments);
+    // One line, whatever the user's own words hold.
+    for (char *letter = message; *letter != '\0'; letter++) {
+        if ((unsigned char)*letter < ' ') {
+            *letter = '?';
+        }
+    }
+    fprintf(stderr, "%s: %s\n", program_invocation_short_name, message);
 }
 
 void die(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    stop(1, format, arguments);
+    print(format, arguments);
+    exit(1);
 }
 
 void die_usage(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    stop(2, format, arguments);
+    print(format, arguments);
+    exit(2);
+}
+
+void complain(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print(format, arguments);
+    va_end(arguments);
 }
 
 void *allocate(size_t count, size_t size)

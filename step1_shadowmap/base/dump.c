@@ -1,11 +1,11 @@
+#define _POSIX_C_SOURCE 200809L // open_memstream
+
 #include "step1_shadowmap/base/dump.h"
 
-#include <errno.h>
 #include <stdlib.h> // free
-#include <string.h> // strerror
 
 #include "step1_shadowmap/base/die.h"   // die
-#include "step1_shadowmap/base/file.h"  // file_finish, file_temporary_name
+#include "step1_shadowmap/base/file.h"  // file_write
 #include "step1_shadowmap/base/gl.h"    // gl_read_layer
 #include "step1_shadowmap/base/image.h" // image_write
 
@@ -92,18 +92,17 @@ static void write_run(FILE *file, const Run *run)
 void dump_run(const char *directory, const Run *run)
 {
     char path[FILE_NAME_BYTES];
-    char temporary[FILE_NAME_BYTES];
+    char *text = NULL;
+    size_t length = 0;
     snprintf(path, sizeof path, "%s/run.json", directory);
-    file_temporary_name(path, temporary);
-    FILE *file = fopen(temporary, "w");
-    if (file == NULL) {
-        die("cannot write %s: %s", path, strerror(errno));
+    FILE *memory = open_memstream(&text, &length);
+    if (memory == NULL) {
+        die("no memory for %s", path);
     }
-    write_run(file, run);
-    bool failed = ferror(file) != 0;
-    failed = fclose(file) != 0 || failed;
-    if (failed) {
-        file_give_up(temporary, path, strerror(errno));
+    write_run(memory, run);
+    if (fclose(memory) != 0) {
+        die("no memory for %s", path);
     }
-    file_finish(temporary, path);
+    file_write(path, text, length);
+    free(text);
 }

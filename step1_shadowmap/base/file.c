@@ -3,46 +3,65 @@
 #include "step1_shadowmap/base/file.h"
 
 #include <errno.h>
-#include <stdio.h>    // rename, remove, snprintf
+#include <stdio.h>    // fopen, rename, remove, snprintf
 #include <string.h>   // strerror, strrchr
 #include <sys/stat.h> // mkdir, stat
 #include <unistd.h>   // getpid
 
 #include "step1_shadowmap/base/die.h" // die
 
-void file_temporary_name(const char *path, char name[FILE_NAME_BYTES])
+// A name beside the file's own, so that the rename stays on one disk.
+static void temporary_name(const char *path, char name[FILE_NAME_BYTES])
 {
     const char *slash = strrchr(path, '/');
-    const char *base = slash == NULL ? path : slash + 1;
-    const char *dot = strrchr(base, '.');
-    int length =
-        snprintf(name, FILE_NAME_BYTES, "%.*s.partial-%ld%s",
-                 (int)(base - path), path, (long)getpid(), dot ? dot : "");
+    int folder = slash == NULL ? 0 : (int)(slash + 1 - path);
+    int length = snprintf(name, FILE_NAME_BYTES, "%.*s.partial-%ld", folder,
+                          path, (long)getpid());
     if (length < 0 || length >= FILE_NAME_BYTES) {
         die("the file name %.40s... is too long", path);
     }
 }
 
-void file_finish(const char *temporary, const char *path)
+// Whether every byte is on the disk under this name, or at least accepted: a
+// full disk may show only when the file is closed.
+static bool write_bytes(const char *path, const void *bytes, size_t count)
 {
-    if (rename(temporary, path) != 0) {
-        file_give_up(temporary, path, strerror(errno));
+    FILE *file = fopen(path, "wb");
+    if (file == NULL) {
+        return false;
+    }
+    bool written = fwrite(bytes, 1, count, file) == count;
+    int error = errno;
+    if (fclose(file) != 0) {
+        return false;
+    }
+    errno = error;
+    return written;
+}
+
+void file_write(const char *path, const void *bytes, size_t count)
+{
+    char temporary[FILE_NAME_BYTES];
+    temporary_name(path, temporary);
+    if (!write_bytes(temporary, bytes, count) || rename(temporary, path) != 0) {
+        const char *reason = strerror(errno);
+        remove(temporary);
+        die("cannot write %s: %s", path, reason);
     }
 }
 
-void file_give_up(const char *temporary, const char *path, const char *reason)
+bool file_is_directory(const char *path)
 {
-    remove(temporary);
-    die("cannot write %s: %s", path, reason);
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
 void file_make_directory(const char *path)
 {
-    struct stat status;
     if (mkdir(path, 0777) != 0 && errno != EEXIST) {
         die("cannot make the directory %s: %s", path, strerror(errno));
     }
-    if (stat(path, &status) != 0 || !S_ISDIR(status.st_mode)) {
+    if (!file_is_directory(path)) {
         die("%s is not a directory", path);
     }
 }

@@ -1,17 +1,17 @@
 #include "step1_shadowmap/base/gl.h"
 
-#include <stdbool.h>
 #include <stdio.h>  // fopen, snprintf, sscanf
 #include <stdlib.h> // free
 #include <string.h> // strchr, strcspn, strstr
 
-#include "step1_shadowmap/base/die.h" // allocate, die, die_usage
+#include "step1_shadowmap/base/die.h" // allocate, complain, die, die_usage
 
 enum {
-    MAX_FILES = 12,
     LINES_PER_FILE = 10000,
+    FILE_BYTES = 1 << 14, // of the longest shader file, with the final 0
     PATH_BYTES = 4096,
-    LOG_BYTES = 4096
+    LOG_BYTES = 4096,
+    MESSAGE_BYTES = 2 * 4096 + 64
 };
 
 static void GLAD_API_PTR stop_on_error(GLenum source, GLenum type, GLuint id,
@@ -44,48 +44,54 @@ void gl_load(GlLoader loader)
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
-// The whole file as a string, or NULL if it cannot be opened.
-static char *read_file(const char *path)
+// What is left of the file as a string; NULL if it cannot be read.
+static char *read_all(FILE *file)
 {
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        return NULL;
-    }
+    char *text = allocate(FILE_BYTES, 1);
     size_t length = 0;
-    size_t room = 1 << 14;
-    char *text = allocate(room, 1);
-    while (!feof(file) && !ferror(file) && length + 1 < room) {
-        length += fread(text + length, 1, room - length - 1, file);
+    while (!feof(file) && !ferror(file) && length + 1 < FILE_BYTES) {
+        length += fread(text + length, 1, FILE_BYTES - length - 1, file);
     }
     if (ferror(file) || !feof(file)) {
-        die("cannot read %s (or it is over %zu bytes)", path, room - 1);
+        free(text);
+        return NULL;
     }
-    fclose(file);
     return text;
 }
 
-static char *read_shader(ShaderFiles where, const char *name)
+// The text of a shader file, or NULL and what is wrong with it.
+static char *read_shader(ShaderFiles where, const char *name, char *message)
 {
     char path[PATH_BYTES];
-    char *text = NULL;
+    FILE *file = NULL;
     if (where.directory != NULL) {
         snprintf(path, sizeof path, "%s/%s", where.directory, name);
-        text = read_file(path);
+        file = fopen(path, "rb");
     }
-    if (text == NULL) {
+    if (file == NULL) {
         snprintf(path, sizeof path, "%s/%s", SHADER_ROOT, name);
-        text = read_file(path);
+        file = fopen(path, "rb");
     }
+    if (file == NULL) {
+        snprintf(message, MESSAGE_BYTES, "missing shader file %s", path);
+        return NULL;
+    }
+    char *text = read_all(file);
+    fclose(file);
     if (text == NULL) {
-        die("missing shader file %s", path);
+        snprintf(message, MESSAGE_BYTES,
+                 "cannot read %s (or it is over %d bytes)", path,
+                 FILE_BYTES - 1);
     }
     return text;
 }
 
 // Drivers put the number of the source string and the line in front, as in
-// "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). Prints
-// the first line that says "error" with the file's name and its own line.
-static _Noreturn void stop_on_log(const char *log, const char *const files[])
+// "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). The
+// message is the first line that says "error", with the file's name and its own
+// line.
+static void explain_log(const char *log, const char *const files[],
+                        char *message)
 {
     const char *line = log;
     while (strstr(line, "error") != NULL && strchr(line, '\n') != NULL &&
@@ -101,67 +107,154 @@ static _Noreturn void stop_on_log(const char *log, const char *const files[])
     int skipped = 0;
     if (sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) != 1 ||
         number / LINES_PER_FILE > file) {
-        die("shader %s: %.*s", files[file], length, line);
+        snprintf(message, MESSAGE_BYTES, "shader %s: %.*s", files[file], length,
+                 line);
+        return;
     }
-    die("shader %s:%d%.*s", files[number / LINES_PER_FILE],
-        number % LINES_PER_FILE, length - skipped, line + skipped);
+    snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s",
+             files[number / LINES_PER_FILE], number % LINES_PER_FILE,
+             length - skipped, line + skipped);
 }
 
-static GLuint compile(ShaderFiles where, GLenum type, const char *const files[])
+// The shader, or 0 and the message.
+static GLuint compile_texts(GLenum type, const char *const files[], int count,
+                            char *const texts[], char *message)
 {
     // The line in front of a file numbers its lines so that they name the file
     // too. (The number of the source string, meant for that, is lost by Mesa in
     // most of its messages.)
-    char before[MAX_FILES][48];
-    const char *sources[2 * MAX_FILES];
-    char *texts[MAX_FILES];
-    int count = 0;
-    for (; files[count] != NULL; count++) {
-        snprintf(before[count], sizeof before[count], "%s\n#line %d\n",
-                 count == 0 ? "#version 330 core" : "",
-                 count * LINES_PER_FILE + 1);
-        texts[count] = read_shader(where, files[count]);
-        sources[2 * count] = before[count];
-        sources[2 * count + 1] = texts[count];
+    char before[PROGRAM_MAX_FILES][48];
+    const char *sources[2 * PROGRAM_MAX_FILES];
+    for (int i = 0; i < count; i++) {
+        snprintf(before[i], sizeof before[i], "%s\n#line %d\n",
+                 i == 0 ? "#version 330 core" : "", i * LINES_PER_FILE + 1);
+        sources[2 * i] = before[i];
+        sources[2 * i + 1] = texts[i];
     }
     GLuint shader = glCreateShader(type);
     glShaderSource(shader, 2 * count, sources, NULL);
     glCompileShader(shader);
-    for (int i = 0; i < count; i++) {
-        free(texts[i]);
-    }
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (!compiled) {
-        char log[LOG_BYTES];
+        char log[LOG_BYTES] = "";
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        stop_on_log(log, files);
+        explain_log(log, files, message);
+        glDeleteShader(shader);
+        return 0;
     }
     return shader;
 }
 
-GLuint gl_program(ShaderFiles where, const char *const vertex[],
-                  const char *const fragment[])
+static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
+                      char *message)
 {
-    GLuint shaders[2] = {compile(where, GL_VERTEX_SHADER, vertex),
-                         compile(where, GL_FRAGMENT_SHADER, fragment)};
-    GLuint program = glCreateProgram();
-    for (int i = 0; i < 2; i++) {
-        glAttachShader(program, shaders[i]);
+    char *texts[PROGRAM_MAX_FILES] = {NULL};
+    GLuint shader = 0;
+    int count = 0;
+    bool complete = true;
+    while (complete && files[count] != NULL) {
+        texts[count] = read_shader(where, files[count], message);
+        complete = texts[count++] != NULL;
     }
-    glLinkProgram(program);
+    if (complete) {
+        shader = compile_texts(type, files, count, texts, message);
+    }
+    for (int i = 0; i < count; i++) {
+        free(texts[i]);
+    }
+    return shader;
+}
+
+// The linked program, or 0 and the message.
+static GLuint link_shaders(const GLuint shaders[2],
+                           const char *const fragment[], char *message)
+{
+    GLuint id = glCreateProgram();
+    for (int i = 0; i < 2; i++) {
+        glAttachShader(id, shaders[i]);
+    }
+    glLinkProgram(id);
+    for (int i = 0; i < 2; i++) {
+        glDetachShader(id, shaders[i]);
+    }
     GLint linked = GL_FALSE;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    glGetProgramiv(id, GL_LINK_STATUS, &linked);
     if (!linked) {
-        char log[LOG_BYTES];
-        glGetProgramInfoLog(program, sizeof log, NULL, log);
-        stop_on_log(log, fragment);
+        char log[LOG_BYTES] = "";
+        glGetProgramInfoLog(id, sizeof log, NULL, log);
+        explain_log(log, fragment, message);
+        glDeleteProgram(id);
+        return 0;
+    }
+    return id;
+}
+
+static GLuint build(const Program *program, char *message)
+{
+    GLuint id = 0;
+    GLuint shaders[2] = {0};
+    shaders[0] =
+        compile(program->where, GL_VERTEX_SHADER, program->vertex, message);
+    if (shaders[0] != 0) {
+        shaders[1] = compile(program->where, GL_FRAGMENT_SHADER,
+                             program->fragment, message);
+    }
+    if (shaders[1] != 0) {
+        id = link_shaders(shaders, program->fragment, message);
     }
     for (int i = 0; i < 2; i++) {
-        glDetachShader(program, shaders[i]);
-        glDeleteShader(shaders[i]);
+        glDeleteShader(shaders[i]); // the name 0 is ignored
+    }
+    return id;
+}
+
+static void copy_names(const char *const from[], const char *to[])
+{
+    int count = 0;
+    for (; from[count] != NULL; count++) {
+        if (count == PROGRAM_MAX_FILES) {
+            die("more than %d shader files", PROGRAM_MAX_FILES);
+        }
+        to[count] = from[count];
+    }
+    to[count] = NULL;
+}
+
+Program gl_program(ShaderFiles where, const char *const vertex[],
+                   const char *const fragment[])
+{
+    char message[MESSAGE_BYTES];
+    Program program = {.where = where};
+    copy_names(vertex, program.vertex);
+    copy_names(fragment, program.fragment);
+    program.id = build(&program, message);
+    if (program.id == 0) {
+        die("%s", message);
     }
     return program;
+}
+
+bool gl_program_reload(Program *program)
+{
+    char message[MESSAGE_BYTES];
+    if (program->id == 0) {
+        return true;
+    }
+    GLuint id = build(program, message);
+    if (id == 0) {
+        complain("%s", message);
+        return false;
+    }
+    glDeleteProgram(program->id);
+    program->id = id;
+    return true;
+}
+
+void gl_program_destroy(Program *program)
+{
+    glDeleteProgram(program->id); // the name 0 is ignored
+    *program = (Program){.id = 0};
 }
 
 GLuint gl_texture_array(GLenum format, int width, int height, int layers,

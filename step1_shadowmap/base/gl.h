@@ -5,6 +5,7 @@
 #define BASE_GL_H
 
 #include <glad/gl.h>
+#include <stdbool.h>
 #include <stddef.h> // size_t
 
 typedef void (*GlFunction)(void);
@@ -21,12 +22,31 @@ typedef struct ShaderFiles {
     const char *directory;
 } ShaderFiles;
 
+enum { PROGRAM_MAX_FILES = 12 };
+
+// A program, and the files that it is made of: names that stay valid, NULL
+// after the last.
+typedef struct Program {
+    GLuint id;
+    ShaderFiles where;
+    const char *vertex[PROGRAM_MAX_FILES + 1];
+    const char *fragment[PROGRAM_MAX_FILES + 1];
+} Program;
+
 // A program of several shader files: each list ends with NULL and its files
 // are compiled as one shader, in that order. They carry no #version line (it
 // may come only once, before all else); 330 core is put in front. A compile
 // error stops the run with the file and line that it is in.
-GLuint gl_program(ShaderFiles where, const char *const vertex[],
-                  const char *const fragment[]);
+Program gl_program(ShaderFiles where, const char *const vertex[],
+                   const char *const fragment[]);
+
+// Reads the files again. If they compile, the new program takes the old one's
+// place, with all its uniforms at 0; else one line on stderr gives the file and
+// line, the old program stays, and the result is false. A program that was
+// never made (all zero) is left alone.
+bool gl_program_reload(Program *program);
+
+void gl_program_destroy(Program *program);
 
 // A 2D array texture without mip-maps, `layers` x width x height texels, all
 // undefined. Outside it reads as 1 in every channel: far depth, and its

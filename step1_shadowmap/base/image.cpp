@@ -1,14 +1,17 @@
 // The only C++ file of the programs: OpenImageIO has no C interface.
 #include "step1_shadowmap/base/image.h"
 
-#include <OpenImageIO/color.h>   // linear_to_sRGB
-#include <OpenImageIO/imageio.h> // ImageOutput, ImageSpec
-#include <algorithm>             // clamp
-#include <cstddef>               // ptrdiff_t
+#include <OpenImageIO/color.h>      // linear_to_sRGB
+#include <OpenImageIO/filesystem.h> // IOVecOutput
+#include <OpenImageIO/imageio.h>    // ImageOutput, ImageSpec
+#include <algorithm>                // clamp
+#include <cstddef>                  // ptrdiff_t
+#include <exception>
 #include <string>
 #include <vector>
 
-#include "step1_shadowmap/base/file.h" // file_finish, file_temporary_name
+#include "step1_shadowmap/base/die.h"  // die
+#include "step1_shadowmap/base/file.h" // file_write
 
 static bool ends_with(const std::string &text, const std::string &ending)
 {
@@ -43,8 +46,27 @@ static std::vector<float> encode_srgb(const float *pixels, std::size_t count)
     return encoded;
 }
 
-void image_write(const char *path, const float *pixels, int width, int height,
-                 int channels)
+// The file's bytes, or nothing and the reason. Encoded in memory: the writers
+// of some formats do not say when the disk is full.
+static std::vector<unsigned char> encode(const char *path, const float *pixels,
+                                         const OIIO::ImageSpec &spec,
+                                         std::string &reason)
+{
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    auto output = OIIO::ImageOutput::create(path);
+    if (!output) {
+        reason = OIIO::geterror();
+    } else if (!output->set_ioproxy(&memory) || !output->open(path, spec) ||
+               !write_rows(*output, pixels, spec) || !output->close()) {
+        reason = output->geterror();
+        bytes.clear();
+    }
+    return bytes;
+}
+
+static void write(const char *path, const float *pixels, int width, int height,
+                  int channels)
 {
     bool png = ends_with(path, ".png");
     OIIO::ImageSpec spec(width, height, channels,
@@ -55,15 +77,20 @@ void image_write(const char *path, const float *pixels, int width, int height,
         encoded = encode_srgb(pixels, std::size_t(width) * height * channels);
         pixels = encoded.data();
     }
-    char temporary[FILE_NAME_BYTES];
-    file_temporary_name(path, temporary);
-    auto output = OIIO::ImageOutput::create(temporary);
-    if (!output) {
-        file_give_up(temporary, path, OIIO::geterror().c_str());
+    std::string reason;
+    std::vector<unsigned char> bytes = encode(path, pixels, spec, reason);
+    if (bytes.empty()) {
+        die("cannot write %s: %s", path, reason.c_str());
     }
-    if (!output->open(temporary, spec) || !write_rows(*output, pixels, spec) ||
-        !output->close()) {
-        file_give_up(temporary, path, output->geterror().c_str());
+    file_write(path, bytes.data(), bytes.size());
+}
+
+void image_write(const char *path, const float *pixels, int width, int height,
+                 int channels)
+{
+    try {
+        write(path, pixels, width, height, channels);
+    } catch (const std::exception &error) { // out of memory, most likely
+        die("cannot write %s: %s", path, error.what());
     }
-    file_finish(temporary, path);
 }

@@ -38,27 +38,27 @@ Legend legend_create(ShaderFiles files, const ShowMode *mode, int width,
     const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
     const char *fragment[] = {mode->scale,
                               "step1_shadowmap/shaders/legend.frag", NULL};
+    legend.text = mode->legend;
     legend.program = gl_program(files, vertex, fragment);
     glGenVertexArrays(1, &legend.empty_vao);
-    glUseProgram(legend.program);
-    legend.letters = set_text(legend.program, mode->legend);
     return legend;
 }
 
 void legend_draw(const Legend *legend)
 {
-    if (legend->program == 0) {
+    GLuint program = legend->program.id;
+    if (program == 0) {
         return;
     }
+    glUseProgram(program);
+    int count = set_text(program, legend->text);
     int zoom = 1 + legend->height / 360;
     int corner = 4 * zoom;
-    int width = legend->letters * 4 * zoom;
+    int width = count * 4 * zoom;
     int height = 15 * zoom;
-    glUseProgram(legend->program);
-    glUniform2i(glGetUniformLocation(legend->program, "corner"), corner,
-                corner);
-    glUniform1i(glGetUniformLocation(legend->program, "width"), width);
-    glUniform1i(glGetUniformLocation(legend->program, "zoom"), zoom);
+    glUniform2i(glGetUniformLocation(program, "corner"), corner, corner);
+    glUniform1i(glGetUniformLocation(program, "width"), width);
+    glUniform1i(glGetUniformLocation(program, "zoom"), zoom);
     // Only the picture: the other outputs of --dump keep what they have.
     GLenum all[] = {GL_COLOR_ATTACHMENT0};
     glDrawBuffers(1, all);
@@ -67,9 +67,14 @@ void legend_draw(const Legend *legend)
     gl_draw_fullscreen(legend->empty_vao);
 }
 
+bool legend_reload(Legend *legend)
+{
+    return gl_program_reload(&legend->program);
+}
+
 void legend_destroy(Legend *legend)
 {
     glDeleteVertexArrays(1, &legend->empty_vao);
-    glDeleteProgram(legend->program);
-    *legend = (Legend){.program = 0};
+    gl_program_destroy(&legend->program);
+    *legend = (Legend){.width = 0};
 }

@@ -14,9 +14,9 @@ typedef struct ShowMode {
 } ShowMode;
 
 typedef struct Legend {
-    GLuint program; // 0 for no legend
+    Program program; // none for no legend
     GLuint empty_vao;
-    int letters;       // of its text
+    const char *text;
     int width, height; // of the picture, pixels
 } Legend;
 
@@ -25,6 +25,9 @@ Legend legend_create(ShaderFiles files, const ShowMode *mode, int width,
 
 // Draws over colour attachment 0 of the bound framebuffer.
 void legend_draw(const Legend *legend);
+
+// Compiles the shaders again; see gl_program_reload.
+bool legend_reload(Legend *legend);
 
 void legend_destroy(Legend *legend);
 

@@ -214,6 +214,9 @@ static bool read_value(const Option *option, const char *text, void *value)
     }
 }
 
+// Above every letter that getopt_long returns for itself.
+enum { FIRST_VALUE = 256 };
+
 // All tables as one list for getopt_long, with the way back from each entry
 // to its table.
 typedef struct KnownOptions {
@@ -233,6 +236,9 @@ static void join_tables(OptionTable tables[], KnownOptions *known)
             bool flag = table->options[i].kind == OPTION_FLAG;
             known->list[count].name = table->options[i].name;
             known->list[count].has_arg = flag ? no_argument : required_argument;
+            // Each its own value, else getopt takes --s for any of those that
+            // begin with s.
+            known->list[count].val = FIRST_VALUE + count;
             known->table[count] = table;
             known->index[count++] = i;
         }
@@ -256,9 +262,10 @@ void options_parse(int argc, char **argv, OptionTable tables[])
     // Before any value is read: the help shows the defaults.
     help_if_asked(argc, argv, tables);
     opterr = 0; // our messages, one line each
-    int chosen = 0;
     int result;
-    while ((result = getopt_long(argc, argv, ":", known.list, &chosen)) == 0) {
+    while ((result = getopt_long(argc, argv, ":", known.list, NULL)) >=
+           FIRST_VALUE) {
+        int chosen = result - FIRST_VALUE;
         OptionTable *table = known.table[chosen];
         const Option *option = &table->options[known.index[chosen]];
         const char *text = optarg == NULL ? "" : optarg;

@@ -57,13 +57,14 @@ static bool read_key(const SceneKey keys[], int count, const char *text,
 {
     size_t length = strcspn(text, "=,");
     for (int i = 0; i < count && keys[i].name; i++) {
-        if (strlen(keys[i].name) != length || text[length] != '=' ||
+        if (strlen(keys[i].name) != length ||
             strncmp(keys[i].name, text, length) != 0) {
             continue;
         }
+        const char *number = text + length + (text[length] == '=' ? 1 : 0);
         char *end = NULL;
-        double value = strtod(text + length + 1, &end);
-        if (end == text + length + 1 || (*end != ',' && *end != '\0') ||
+        double value = strtod(number, &end);
+        if (end == number || (*end != ',' && *end != '\0') ||
             !(value >= keys[i].minimum && value <= keys[i].maximum)) {
             die_usage("--scene key '%s': allowed are numbers from %g to %g",
                       text, keys[i].minimum, keys[i].maximum);

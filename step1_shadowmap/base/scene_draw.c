@@ -27,8 +27,8 @@ static const GLenum draw_buffers[SCENE_DRAW_OUTPUTS] = {
     GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
     GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
 
-static GLuint create_program(const BaseSettings *settings,
-                             const char *const visibility[])
+static Program create_program(const BaseSettings *settings,
+                              const char *const visibility[])
 {
     static const char *const vertex[] = {"step1_shadowmap/shaders/scene.vert",
                                          NULL};
@@ -123,12 +123,17 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
     glDrawBuffers(draw->output_count, draw_buffers);
     clear(draw, scene);
     glEnable(GL_DEPTH_TEST);
-    glUseProgram(draw->program);
-    set_uniforms(draw->program, scene, views);
+    glUseProgram(draw->program.id);
+    set_uniforms(draw->program.id, scene, views);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, map);
-    geometry_draw(geometry, scene, views->origin, draw->program);
+    geometry_draw(geometry, scene, views->origin, draw->program.id);
     legend_draw(&draw->legend);
+}
+
+bool scene_draw_reload(SceneDraw *draw)
+{
+    return gl_program_reload(&draw->program) && legend_reload(&draw->legend);
 }
 
 void scene_draw_write(const SceneDraw *draw, const char *path)
@@ -155,6 +160,6 @@ void scene_draw_destroy(SceneDraw *draw)
     glDeleteRenderbuffers(1, &draw->depth_buffer);
     glDeleteTextures(draw->output_count, draw->outputs);
     glDeleteFramebuffers(1, &draw->framebuffer);
-    glDeleteProgram(draw->program);
+    gl_program_destroy(&draw->program);
     *draw = (SceneDraw){0};
 }

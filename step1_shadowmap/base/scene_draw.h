@@ -10,7 +10,7 @@
 enum { SCENE_DRAW_OUTPUTS = 5 };
 
 typedef struct SceneDraw {
-    GLuint program;
+    Program program;
     GLuint framebuffer;
     GLuint depth_buffer;
     GLuint outputs[SCENE_DRAW_OUTPUTS]; // picture; with --dump the rest too
@@ -30,6 +30,9 @@ SceneDraw scene_draw_create(const BaseSettings *settings,
 // Draws one frame with `map` (a 2D array texture) as the shader's shadow_map.
 void scene_draw(const SceneDraw *draw, const Scene *scene,
                 const Geometry *geometry, const Views *views, GLuint map);
+
+// Compiles the shaders again; see gl_program_reload.
+bool scene_draw_reload(SceneDraw *draw);
 
 void scene_draw_write(const SceneDraw *draw, const char *path);
 

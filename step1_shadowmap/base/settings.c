@@ -4,8 +4,8 @@
 #include <stdlib.h> // exit
 #include <string.h> // strcmp, strrchr
 
-#include "step1_shadowmap/base/die.h"       // die_usage
-#include "step1_shadowmap/base/file.h"      // file_make_directory
+#include "step1_shadowmap/base/die.h"  // die_usage
+#include "step1_shadowmap/base/file.h" // file_is_directory, file_make_directory
 #include "step1_shadowmap/base/image.h"     // image_name_is_known
 #include "step1_shadowmap/base/scene.h"     // scene_list
 #include "step1_shadowmap/base/stopwatch.h" // STOPWATCH_MAX_FRAMES
@@ -57,6 +57,10 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, shaders),
      .argument = "DIR",
      .help = "look for shader files there first (laid out as in the tree)"},
+    {.name = "window",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, window),
+     .help = "show the scene in a window; there, h prints the keys"},
     {.name = "context",
      .kind = OPTION_CHOICE,
      .offset = offsetof(BaseSettings, context),
@@ -120,6 +124,18 @@ BaseSettings base_settings(const char *output, const ShowMode *more_shows)
                           .context = "osmesa"};
 }
 
+static void check_window(const BaseSettings *settings)
+{
+    if (settings->dump != NULL) {
+        die_usage("--dump keeps one frame, --window draws many: drop --dump "
+                  "or --window");
+    }
+    if (settings->bench > 0) {
+        die_usage("--bench times frames that are all the same, in --window "
+                  "they change: drop --bench or --window");
+    }
+}
+
 void base_settings_check(const BaseSettings *settings)
 {
     if (settings->list_scenes) {
@@ -127,9 +143,16 @@ void base_settings_check(const BaseSettings *settings)
         exit(0);
     }
     base_show_mode(settings);
+    if (settings->shaders != NULL && !file_is_directory(settings->shaders)) {
+        die_usage("--shaders '%s': there is no such directory",
+                  settings->shaders);
+    }
     if (!image_name_is_known(settings->output)) {
         die_usage("--output '%s': the name has to end in .png or .exr",
                   settings->output);
+    }
+    if (settings->window) {
+        check_window(settings);
     }
 }
 

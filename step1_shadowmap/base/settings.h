@@ -18,6 +18,7 @@ typedef struct BaseSettings {
     const ShowMode *more_shows; // what the step adds to the choices, or NULL
     const char *dump;           // directory, or NULL
     const char *shaders;        // directory, or NULL
+    bool window;
     const char *context;
     int bench; // frames to time, or 0
 } BaseSettings;
@@ -33,7 +34,8 @@ BaseSettings base_settings(const char *output, const ShowMode *more_shows);
 const ShowMode *base_show_mode(const BaseSettings *settings);
 
 // Answers --list-scenes (and exits with 0), refuses an output name with an
-// unknown ending (status 2). To be called after options_parse.
+// unknown ending and what a window cannot do (status 2). To be called after
+// options_parse.
 void base_settings_check(const BaseSettings *settings);
 
 // Makes the directories of the default output and of --dump, once everything
@@ -41,7 +43,8 @@ void base_settings_check(const BaseSettings *settings);
 void base_make_directories(const BaseSettings *settings,
                            const OptionTable tables[]);
 
-// How many frames to draw: one, or those to time and the warm-up before them.
+// How many frames to draw at once: one, or those to time and the warm-up before
+// them.
 int base_frames(const BaseSettings *settings);
 
 ShaderFiles base_shader_files(const BaseSettings *settings);

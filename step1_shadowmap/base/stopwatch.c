@@ -47,6 +47,15 @@ double stopwatch_last(const Stopwatch *stopwatch, int pass)
     return stopwatch->milliseconds[pass][stopwatch->frames - 1];
 }
 
+double stopwatch_total(const Stopwatch *stopwatch)
+{
+    double total = 0;
+    for (int pass = 0; pass < stopwatch->passes; pass++) {
+        total += stopwatch_last(stopwatch, pass);
+    }
+    return total;
+}
+
 static int compare(const void *a, const void *b)
 {
     double x = *(const double *)a;

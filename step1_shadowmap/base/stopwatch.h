@@ -29,6 +29,9 @@ void stopwatch_lap(Stopwatch *stopwatch, const char *name);
 // The last frame's time of a pass, in milliseconds.
 double stopwatch_last(const Stopwatch *stopwatch, int pass);
 
+// The last frame's time of all passes together, in milliseconds.
+double stopwatch_total(const Stopwatch *stopwatch);
+
 // Prints, as CSV on stdout, a header and for each pass and for their total:
 // name, median, first and third quartile over the frames after the warm-up
 // (milliseconds), number of these frames, the clock, and each frame's time,

@@ -1,4 +1,4 @@
-// One triangle that covers the whole map: corners (-1, -1), (3, -1), (-1, 3).
+// One triangle that covers the viewport: corners (-1, -1), (3, -1), (-1, 3).
 
 void main()
 {

@@ -12,15 +12,25 @@ Arguments::Arguments(const std::vector<std::string> &words,
         if (equals == std::string::npos ||
             std::find(allowed.begin(), allowed.end(), key) == allowed.end())
             throw BadInput("this check takes no argument '" + word + "'");
-        std::string text = word.substr(equals + 1);
-        char *end = nullptr;
-        values_[key] = std::strtod(text.c_str(), &end);
-        if (text.empty() || *end != '\0')
-            throw BadInput("'" + word + "': a number is needed");
+        values_[key] = word.substr(equals + 1);
     }
 }
 
 double Arguments::number(const std::string &key, double fallback) const
+{
+    auto found = values_.find(key);
+    if (found == values_.end())
+        return fallback;
+    char *end = nullptr;
+    double value = std::strtod(found->second.c_str(), &end);
+    if (found->second.empty() || *end != '\0')
+        throw BadInput("'" + key + "=" + found->second +
+                       "': a number is needed");
+    return value;
+}
+
+std::string Arguments::text(const std::string &key,
+                            const std::string &fallback) const
 {
     auto found = values_.find(key);
     return found == values_.end() ? fallback : found->second;

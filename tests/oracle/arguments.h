@@ -16,11 +16,20 @@ class Arguments
     Arguments(const std::vector<std::string> &words,
               const std::vector<std::string> &allowed);
 
-    // The number given for `key`, or `fallback` when it was not given.
+    bool given(const std::string &key) const
+    {
+        return values_.count(key) > 0;
+    }
+
+    // The number given for `key`, or `fallback` when it was not given. Throws
+    // BadInput when it is no number.
     double number(const std::string &key, double fallback) const;
 
+    // The same for words.
+    std::string text(const std::string &key, const std::string &fallback) const;
+
   private:
-    std::map<std::string, double> values_;
+    std::map<std::string, std::string> values_;
 };
 
 #endif

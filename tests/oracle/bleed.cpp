@@ -45,9 +45,9 @@ static bool on_floor_in_shadow(const Run &run, const BleedMap &map,
     if (!r.shown || !inside_map(r) || facing(r, map.view) != Facing::TOWARDS ||
         std::abs(r.t - map.floor) >= std::abs(r.t - nearer))
         return false;
-    int f = run.settings.downsample, radius = run.settings.radius;
-    return all_covered(map, lookup_footprint(r.u, 0, map.view.width, f, radius),
-                       lookup_footprint(r.v, 0, map.view.height, f, radius));
+    return all_covered(map,
+                       lookup_footprint(r.u, 0, map.view.width, run.settings),
+                       lookup_footprint(r.v, 0, map.view.height, run.settings));
 }
 
 static double brightest(const Run &run, const BleedMap &map, double nearer,

@@ -1,11 +1,19 @@
 #include "tests/oracle/chebyshev_bound.h"
 
+#include <cmath> // pow
+
 #include "tests/oracle/rounding.h"
+
+// Of the format that the moments are stored in.
+static double format_roundoff(const Settings &settings)
+{
+    return settings.half ? 0x1p-11 : UNIT_ROUNDOFF;
+}
 
 static Interval minimum_variance(Interval m2, const Settings &settings)
 {
     if (settings.auto_variance) // a power of two times m2: exact in float
-        return 4 * UNIT_ROUNDOFF * m2;
+        return 4 * format_roundoff(settings) * m2;
     return rounded(settings.min_variance, UNIT_ROUNDOFF);
 }
 
@@ -48,12 +56,18 @@ double chebyshev_exact(double m1, double m2, double t, const Settings &settings)
 {
     if (t <= m1)
         return 1;
-    double floor =
-        settings.auto_variance ? 4 * UNIT_ROUNDOFF * m2 : settings.min_variance;
+    double floor = settings.auto_variance ? 4 * format_roundoff(settings) * m2
+                                          : settings.min_variance;
     double variance = std::max(m2 - m1 * m1, floor);
     double p = variance / (variance + (t - m1) * (t - m1));
     double a = settings.bleed_reduction;
     return std::clamp((p - a) / (1 - a), 0.0, 1.0);
+}
+
+// How often the filter stores: the downsampled map, and one pass per axis.
+static int blur_stores(const Settings &settings)
+{
+    return (settings.downsample > 1 ? 1 : 0) + (settings.radius > 0 ? 2 : 0);
 }
 
 double blur_share(const Settings &settings)
@@ -61,5 +75,21 @@ double blur_share(const Settings &settings)
     int f = settings.downsample, n = 2 * settings.radius + 1;
     int operations = f > 1 ? f * f + 1 : 0;
     operations += n > 1 ? 2 * (n + 1) : 0;
-    return rounding_share(operations);
+    double stored = std::pow(1 + store_share(settings), blur_stores(settings));
+    return (1 + rounding_share(operations)) * stored - 1;
+}
+
+double blur_absolute(const Settings &settings)
+{
+    return blur_stores(settings) * store_absolute(settings);
+}
+
+double store_share(const Settings &settings)
+{
+    return settings.half ? 0x1p-10 : 0;
+}
+
+double store_absolute(const Settings &settings)
+{
+    return settings.half ? 0x1p-24 : 0;
 }

@@ -19,7 +19,17 @@ double chebyshev_exact(double m1, double m2, double t,
 // the map's: f^2 + 1 operations for the mean of f x f texels, n + 1 for a row
 // of the box and as many for a column (n products, n - 1 sums, the rounded
 // weight). All terms are positive, so it is relative. 0 where nothing is done.
+// Each pass also stores its result, see store_share.
 double blur_share(const Settings &settings);
+
+// The same below 2^-14, where 16-bit floats have a fixed step.
+double blur_absolute(const Settings &settings);
+
+// What storing a moment may change. A 32-bit float: nothing, for it was one.
+// A 16-bit float: a whole unit of 2^-10, since some drivers truncate, and
+// 2^-24 absolute among the denormals.
+double store_share(const Settings &settings);
+double store_absolute(const Settings &settings);
 
 // A bilinear lookup's error as a share of the largest of the four texels: two
 // nested interpolations a + w (b - a) (difference, product, sum: 3 each), or

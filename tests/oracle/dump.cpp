@@ -27,15 +27,36 @@ static MapView view_of(const json &entry)
     return view;
 }
 
+static Blur blur_of(const std::string &name)
+{
+    if (name == "none")
+        return Blur::NONE;
+    if (name == "box")
+        return Blur::BOX;
+    if (name == "gaussian")
+        return Blur::GAUSSIAN;
+    if (name == "binomial")
+        return Blur::BINOMIAL;
+    throw BadInput("the oracle knows no blur '" + name + "'");
+}
+
 static void read_blur(const json &options, Settings &settings)
 {
     settings.downsample = options.at("downsample").get<int>();
     settings.radius = options.at("radius").get<int>();
-    std::string blur = options.at("blur").get<std::string>();
-    if (blur == "none")
+    settings.blur = blur_of(options.at("blur").get<std::string>());
+    if (settings.blur == Blur::NONE)
         settings.radius = 0;
-    else if (blur != "box")
-        throw BadInput("the oracle knows no blur '" + blur + "'");
+    if (settings.blur == Blur::BINOMIAL && settings.radius != 3)
+        throw BadInput("a binomial blur has radius 3");
+}
+
+static bool stores_halves(const json &options)
+{
+    std::string format = options.at("format").get<std::string>();
+    if (format != "rg32f" && format != "rg16f")
+        throw BadInput("the oracle knows no format '" + format + "'");
+    return format == "rg16f";
 }
 
 static Settings settings_of(const json &options, int step)
@@ -45,8 +66,12 @@ static Settings settings_of(const json &options, int step)
         settings.bias = options.at("bias").get<double>();
         settings.slope_bias = options.at("slope-bias").get<double>();
     }
-    if (step == 2)
+    if (step == 2) {
         settings.kernel = options.at("kernel").get<int>();
+        settings.bilinear = options.at("bilinear").get<bool>();
+    }
+    if (step >= 3)
+        settings.half = stores_halves(options);
     if (step >= 4)
         read_blur(options, settings);
     if (step == 5) {

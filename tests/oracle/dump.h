@@ -19,14 +19,19 @@ struct MapView {
     double border;     // texels
 };
 
+enum class Blur { NONE, BOX, GAUSSIAN, BINOMIAL };
+
 // The settings that a check needs; what a step does not have keeps the value
 // that means "not done".
 struct Settings {
     double bias = 0;       // of the depth range
     double slope_bias = 0; // of half a kernel's depth change
     int kernel = 1;        // texels
-    int radius = 0;        // texels of the downsampled map
-    int downsample = 1;    // map texels per downsampled texel, along an axis
+    bool bilinear = false; // each tap of the kernel a mean of 2 x 2 texels
+    bool half = false;     // moments are stored as 16-bit floats
+    Blur blur = Blur::NONE;
+    int radius = 0;     // texels of the downsampled map
+    int downsample = 1; // map texels per downsampled texel, along an axis
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance
     double bleed_reduction = 0;

@@ -76,20 +76,48 @@ static bool uncovered(const EdgeMap &map, const Footprint &across,
     return true;
 }
 
+// The texels under the filter are known: rounding cannot move it to others.
+static bool certain(const EdgeMap &map, const Receiver &r)
+{
+    Interval x = rounded(r.u * map.view.width, UNIT_ROUNDOFF);
+    Interval y = rounded(r.v * map.view.height, UNIT_ROUNDOFF);
+    return map.settings.bilinear || (std::floor(x.lo) == std::floor(x.hi) &&
+                                     std::floor(y.lo) == std::floor(y.hi));
+}
+
+// How far rounding the position can move a bilinear filter's share.
+static bool share_moves(const EdgeMap &map, const Receiver &r, double &most)
+{
+    most = 0;
+    if (!map.settings.bilinear)
+        return true;
+    double share = 0, moved = 0;
+    const Settings &s = map.settings;
+    if (!uncovered(map, tap_footprint(r.u, 0, map.view.width, s),
+                   tap_footprint(r.v, 0, map.view.height, s), share))
+        return false;
+    Shifts shifts = lookup_shifts(r.u, r.v, map.view.width, map.view.height);
+    for (double dy : shifts.y)
+        for (double dx : shifts.x) {
+            if (!uncovered(map, tap_footprint(r.u, dx, map.view.width, s),
+                           tap_footprint(r.v, dy, map.view.height, s), moved))
+                return false;
+            most = std::max(most, std::abs(moved - share));
+        }
+    return true;
+}
+
 // Steps 1 and 2: the share of taps that the receiver is not behind.
 static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
                                double own_depth)
 {
     const Settings &s = map.settings;
     const MapView &view = map.view;
-    Interval x = rounded(r.u * view.width, UNIT_ROUNDOFF);
-    Interval y = rounded(r.v * view.height, UNIT_ROUNDOFF);
     Prediction prediction;
-    double share = 0;
-    if (std::floor(x.lo) != std::floor(x.hi) ||
-        std::floor(y.lo) != std::floor(y.hi) ||
-        !uncovered(map, tap_footprint(r.u, 0, view.width, s.kernel),
-                   tap_footprint(r.v, 0, view.height, s.kernel), share))
+    double share = 0, moves = 0;
+    if (!certain(map, r) || !share_moves(map, r, moves) ||
+        !uncovered(map, tap_footprint(r.u, 0, view.width, s),
+                   tap_footprint(r.v, 0, view.height, s), share))
         return prediction;
     Interval bias = total_bias(r, view, view.width, view.height, s.kernel, s);
     Interval slack = widened(bias - own_depth, 2 * map.depth_error);
@@ -100,7 +128,8 @@ static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
         floor_clear && (occluder_clear || occluder_dark || share == 1);
     prediction.share = share;
     prediction.lit = occluder_clear ? 1 : share;
-    prediction.bound = rounding_share(3); // k times 1/n^2
+    int n = s.kernel; // k times 1/n^2, or n^2 blends and their sum
+    prediction.bound = rounding_share(s.bilinear ? n * n + 8 : 3) + moves;
     return prediction;
 }
 
@@ -118,19 +147,21 @@ static Interval p_interval(const EdgeMap &map, double q, double own_depth)
     double m1 = q * far + (1 - q) * near;
     double m2 = q * far * far + (1 - q) * near * near;
     double deviation = std::sqrt(q * (1 - q)) * (far - near);
-    double blur = blur_share(map.settings);
+    // The map's own store comes before the filter's.
+    double blur = blur_share(map.settings) + 1.01 * store_share(map.settings);
+    double tiny = blur_absolute(map.settings) + store_absolute(map.settings);
     double lookup = rounding_share(LOOKUP_ROUNDINGS);
-    Interval wide_m1 = widened(m1, blur * m1 + lookup * far);
+    Interval wide_m1 = widened(m1, blur * m1 + lookup * far + tiny);
     Interval wide_m2 =
         widened(m2, (blur + UNIT_ROUNDOFF) * m2 + lookup * far * far +
-                        2 * e * deviation + e * e);
+                        2 * e * deviation + e * e + tiny);
     return chebyshev(wide_m1, wide_m2, widened(own_depth, 2 * e), map.settings);
 }
 
 static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
                                   double own_depth)
 {
-    int f = map.settings.downsample, radius = map.settings.radius;
+    int f = map.settings.downsample;
     const MapView &view = map.view;
     Prediction prediction;
     double least = 1, most = 0, q = 0;
@@ -138,8 +169,8 @@ static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
     for (double dy : shifts.y)
         for (double dx : shifts.x) {
             if (!uncovered(
-                    map, lookup_footprint(r.u, dx, view.width, f, radius),
-                    lookup_footprint(r.v, dy, view.height, f, radius), q))
+                    map, lookup_footprint(r.u, dx, view.width, map.settings),
+                    lookup_footprint(r.v, dy, view.height, map.settings), q))
                 return prediction;
             Interval p = p_interval(map, q, own_depth);
             least = std::min(least, p.lo);
@@ -147,8 +178,8 @@ static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
         }
     bool on_floor = own_depth == map.floor;
     double a = map.settings.bleed_reduction;
-    if (!uncovered(map, lookup_footprint(r.u, 0, view.width, f, radius),
-                   lookup_footprint(r.v, 0, view.height, f, radius), q))
+    if (!uncovered(map, lookup_footprint(r.u, 0, view.width, map.settings),
+                   lookup_footprint(r.v, 0, view.height, map.settings), q))
         return prediction;
     prediction.testable = true;
     prediction.share = q;

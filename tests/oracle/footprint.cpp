@@ -1,6 +1,7 @@
 #include "tests/oracle/footprint.h"
 
-#include <cmath> // floor
+#include <cmath>   // exp, floor
+#include <numeric> // accumulate
 
 #include "tests/oracle/rounding.h"
 
@@ -11,26 +12,62 @@ double position_error(double u, int size)
     return 4 * UNIT_ROUNDOFF * (std::abs(u) * size + 1);
 }
 
-Footprint lookup_footprint(double u, double shift, int size, int factor,
-                           int radius)
+std::vector<double> blur_weights(const Settings &settings)
 {
+    int radius = settings.radius;
+    std::vector<double> weights(size_t(2 * radius) + 1, 1.0);
+    if (settings.blur == Blur::BINOMIAL)
+        weights = {1, 6, 15, 20, 15, 6, 1};
+    if (settings.blur == Blur::GAUSSIAN && radius > 0)
+        for (int i = -radius; i <= radius; i++) {
+            double sigmas = 3.0 * i / radius;
+            weights[size_t(i + radius)] = std::exp(-sigmas * sigmas / 2);
+        }
+    double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (double &weight : weights)
+        weight /= sum;
+    return weights;
+}
+
+Footprint lookup_footprint(double u, double shift, int size,
+                           const Settings &settings)
+{
+    int factor = settings.downsample;
     double x = u * (size / factor) - 0.5 + shift;
     double left = std::floor(x), w = x - left;
-    int n = 2 * radius + 1;
+    std::vector<double> kernel = blur_weights(settings);
+    size_t n = kernel.size();
     Footprint footprint;
-    footprint.first = (int(left) - radius) * factor;
-    for (int i = 0; i <= n; i++) { // the box around the left texel holds 0..n-1
-        double weight = (i < n ? 1 - w : 0) + (i > 0 ? w : 0);
+    footprint.first = (int(left) - settings.radius) * factor;
+    for (size_t i = 0; i <= n; i++) { // the left texel's kernel holds 0..n-1
+        double weight =
+            (i < n ? (1 - w) * kernel[i] : 0) + (i > 0 ? w * kernel[i - 1] : 0);
         for (int k = 0; k < factor; k++)
-            footprint.weights.push_back(weight / n / factor);
+            footprint.weights.push_back(weight / factor);
     }
     return footprint;
 }
 
-Footprint tap_footprint(double u, double shift, int size, int n)
+Footprint tap_footprint(double u, double shift, int size,
+                        const Settings &settings)
 {
-    int centre = int(std::floor(u * size + shift));
-    return {centre - (n - 1) / 2, std::vector<double>(size_t(n), 1.0 / n)};
+    int n = settings.kernel;
+    double x = u * size + shift - (settings.bilinear ? 0.5 : 0);
+    double left = std::floor(x), w = x - left;
+    Footprint footprint{int(left) - (n - 1) / 2,
+                        std::vector<double>(size_t(n), 1.0 / n)};
+    if (settings.bilinear) {
+        footprint.weights.front() = (1 - w) / n; // for n = 1 the only one
+        footprint.weights.resize(size_t(n) + 1, w / n);
+    }
+    return footprint;
+}
+
+Footprint filter_footprint(int step, double u, int size,
+                           const Settings &settings)
+{
+    return step <= 2 ? tap_footprint(u, 0, size, settings)
+                     : lookup_footprint(u, 0, size, settings);
 }
 
 static std::vector<double> axis_shifts(double u, int size)

@@ -16,14 +16,27 @@ struct Footprint {
 // become in 32-bit arithmetic.
 double position_error(double u, int size);
 
-// Bilinear lookup at u of a map of `size` texels (before downsampling by
-// `factor`) blurred by a box of 2 radius + 1 downsampled texels; `shift`
-// moves the position, in downsampled texels.
-Footprint lookup_footprint(double u, double shift, int size, int factor,
-                           int radius);
+// The 2 radius + 1 weights of the blur along one axis; their sum is 1. The
+// only place that knows the kernels:
+// - box: all the same,
+// - gaussian: exp(-i^2 / (2 s^2)) with s = radius / 3,
+// - binomial: 1 6 15 20 15 6 1.
+std::vector<double> blur_weights(const Settings &settings);
 
-// The n texels around floor(u * size), n odd, equal weights.
-Footprint tap_footprint(double u, double shift, int size, int n);
+// Bilinear lookup at u of a map of `size` texels (before downsampling),
+// downsampled and blurred; `shift` moves the position, in downsampled texels.
+Footprint lookup_footprint(double u, double shift, int size,
+                           const Settings &settings);
+
+// The comparisons of steps 1 and 2: the n texels around floor(u * size), equal
+// weights. Bilinear: n lookups at u * size plus whole texels, so n + 1 texels
+// of which the first and the last share one weight.
+Footprint tap_footprint(double u, double shift, int size,
+                        const Settings &settings);
+
+// The whole filter of a step.
+Footprint filter_footprint(int step, double u, int size,
+                           const Settings &settings);
 
 // The positions that enclose everything that rounding can make of one: the two
 // ends along each axis, and a texel centre between them, where the weights

@@ -55,17 +55,19 @@ static Seen seen(const Picture &map, const Footprint &across,
 }
 
 // How far rounding can pull p below what exact arithmetic gives, and exact
-// arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each texel once,
-// the downsampling and the blur by blur_share, the lookup by 6 units of the
+// arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each texel, the
+// downsampling and the blur by blur_share, the lookup by 6 units of the
 // largest texel it blends, then the formula's own, in chebyshev().
 static double bound(const Seen &s, double t, const Settings &settings)
 {
     double blur = blur_share(settings);
     double lookup = rounding_share(LOOKUP_ROUNDINGS);
     double far2 = s.farthest * s.farthest;
-    Interval m1 = widened(s.m1, blur * s.m1 + lookup * s.farthest);
-    double m2_share = blur + UNIT_ROUNDOFF;
-    Interval m2 = widened(s.m2, m2_share * s.m2 + lookup * far2);
+    double tiny = blur_absolute(settings) + store_absolute(settings);
+    Interval m1 = widened(s.m1, blur * s.m1 + lookup * s.farthest + tiny);
+    // The stored M1 is rounded too, and M2 is the square of what it was.
+    double m2_share = blur + UNIT_ROUNDOFF + 3 * store_share(settings);
+    Interval m2 = widened(s.m2, m2_share * s.m2 + lookup * far2 + 3 * tiny);
     double exact = chebyshev_exact(s.m1, s.m2, t, settings);
     return exact - std::min(exact, chebyshev(m1, m2, t, settings).lo) +
            OWN_ROUNDING;
@@ -74,15 +76,16 @@ static double bound(const Seen &s, double t, const Settings &settings)
 static void test_pixel(const Run &run, const Receiver &r, const MapView &view,
                        const Picture &map, Tally &tally)
 {
-    int f = run.settings.downsample, radius = run.settings.radius;
+    const Settings &settings = run.settings;
+    int f = settings.downsample;
     Shifts shifts = lookup_shifts(r.u, r.v, map.width / f, map.height / f);
     double least = INFINITY, lit = INFINITY, widest = 0;
     for (double dy : shifts.y) { // the least over the widened position
-        Footprint up = lookup_footprint(r.v, dy, view.height, f, radius);
+        Footprint up = lookup_footprint(r.v, dy, view.height, settings);
         for (double dx : shifts.x) {
-            Footprint across = lookup_footprint(r.u, dx, view.width, f, radius);
+            Footprint across = lookup_footprint(r.u, dx, view.width, settings);
             Seen s = seen(map, across, up, r.t);
-            double rounding = bound(s, r.t, run.settings);
+            double rounding = bound(s, r.t, settings);
             least = std::min(least, s.lit - rounding);
             lit = std::min(lit, s.lit);
             widest = std::max(widest, rounding);

@@ -10,12 +10,14 @@
 #include "tests/oracle/arguments.h"
 #include "tests/oracle/compare.h"
 #include "tests/oracle/dump.h"
+#include "tests/oracle/errors.h"
 #include "tests/oracle/files.h"
 #include "tests/oracle/lower.h"
 #include "tests/oracle/matrix.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/scene_table.h"
 #include "tests/oracle/stage.h"
+#include "tests/oracle/truth_checks.h"
 #include "tests/oracle/two_depths.h"
 
 static const char *const USAGE =
@@ -27,6 +29,10 @@ static const char *const USAGE =
     "  rays     depths, positions and visibility against ray casting\n"
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
+    "  errors   CSV of visibility against every truth [rays=256] [write=DIR]\n"
+    "           [light-size=X], the tangent of the light's diameter\n"
+    "  truths   the truths themselves where they are known: scenes edge,\n"
+    "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
     "  compare  A B [max=0] [share=1]: two picture files\n";
 
 using Words = std::vector<std::string>;
@@ -60,6 +66,29 @@ static void run_rays(const Run &run, Report &report)
         check_ray_depths(run, rays, extent, int(layer), report);
     check_ray_positions(run, table.scene, rays, extent, report);
     check_ray_visibility(run, table.scene, rays, extent, report);
+}
+
+// Prints a table instead of lines that pass or fail.
+static void run_errors(const std::string &folder, const Words &words)
+{
+    Arguments arguments(words, {"rays", "light-size", "write"});
+    ErrorOptions options;
+    options.rays = arguments.number("rays", options.rays);
+    options.light_size = arguments.number("light-size", 0);
+    if (arguments.given("light-size") && !(options.light_size > 0))
+        throw BadInput("light-size: more than 0");
+    options.write_into = arguments.text("write", "");
+    print_errors(load_run(folder), options);
+}
+
+static void run_truths(const std::string &folder, const Words &words,
+                       Report &report)
+{
+    Arguments arguments(words, {"rays", "light-size"});
+    double size = arguments.number("light-size", 0.2);
+    if (!(size > 0))
+        throw BadInput("light-size: more than 0");
+    check_truths(load_run(folder), arguments.number("rays", 256), size, report);
 }
 
 static void run_check(const std::string &check, const std::string &folder,
@@ -110,11 +139,17 @@ int main(int count, char **values)
     Words words(values + 2, values + count);
     Report report;
     try {
+        Words rest(words.begin() + 1, words.end());
+        if (check == "errors") {
+            run_errors(words[0], rest);
+            return 0;
+        }
         if (check == "compare")
             run_compare(words, report);
+        else if (check == "truths")
+            run_truths(words[0], rest, report);
         else
-            run_check(check, words[0], Words(words.begin() + 1, words.end()),
-                      report);
+            run_check(check, words[0], rest, report);
     } catch (const std::exception &error) {
         std::fprintf(stderr, "oracle: %s\n", error.what());
         return 2;

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <algorithm> // swap_ranges
 #include <cmath>     // isfinite
+#include <fstream>   // ofstream
 
 #include "tests/oracle/report.h"
 
@@ -33,6 +34,31 @@ Picture load_picture(const std::string &path)
         throw BadInput(path + ": cannot be read: " + file->geterror());
     turn_rows(picture);
     return picture;
+}
+
+void save_picture(const Picture &picture, const std::string &path)
+{
+    Picture turned = picture;
+    turn_rows(turned);
+    auto file = OIIO::ImageOutput::create(path);
+    OIIO::ImageSpec spec(turned.width, turned.height, turned.channels,
+                         OIIO::TypeDesc::FLOAT);
+    if (!file || !file->open(path, spec) ||
+        !file->write_image(OIIO::TypeDesc::FLOAT, turned.values.data()) ||
+        !file->close())
+        throw BadInput(path + ": cannot be written: " + OIIO::geterror());
+}
+
+void save_bare(const Picture &picture, const std::string &path)
+{
+    Picture turned = picture;
+    turn_rows(turned);
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char *>(turned.values.data()),
+               std::streamsize(turned.values.size() * sizeof(float)));
+    file.close();
+    if (!file)
+        throw BadInput(path + ": cannot be written");
 }
 
 size_t count_non_finite(const Picture &picture)

@@ -35,6 +35,12 @@ struct Picture {
 // Throws BadInput when it cannot.
 Picture load_picture(const std::string &path);
 
+// Writes a picture of 32-bit floats, top row first. Throws BadInput.
+void save_picture(const Picture &picture, const std::string &path);
+
+// The same as bare floats, for gnuplot.
+void save_bare(const Picture &picture, const std::string &path);
+
 // NaN and infinite values. Count them first: comparisons call NaN equal.
 size_t count_non_finite(const Picture &picture);
 

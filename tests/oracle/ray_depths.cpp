@@ -1,6 +1,7 @@
 #include <algorithm> // max
 #include <cmath>     // abs
 
+#include "tests/oracle/chebyshev_bound.h" // store_share
 #include "tests/oracle/projection.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/ray_compare.h"
@@ -31,6 +32,7 @@ void check_ray_depths(const Run &run, const RayScene &rays, double extent,
     double rounding = depth_rounding(view, extent);
     // A surface may lie exactly in the near plane: start a little before it.
     double start = -std::max(rounding, 1e-6);
+    rounding += store_share(run.settings); // depths are at most 1
     RayComparison count;
     for (int y = 0; y < map.height; y++)
         for (int x = 0; x < map.width; x++) {

@@ -1,6 +1,7 @@
 #include <algorithm> // min, max
 #include <cmath>     // ceil, floor
 
+#include "tests/oracle/ideal_map.h"
 #include "tests/oracle/light.h"
 #include "tests/oracle/projection.h"
 #include "tests/oracle/ray_checks.h"
@@ -8,21 +9,6 @@
 
 namespace
 {
-
-// Ray cast depths at the texel centres of one layer.
-struct IdealMap {
-    Picture depth; // far depth 1 where nothing is hit
-    int reach;     // texels that a filter or a half texel of error can see
-};
-
-// The receiver's own plane in the map: t at u + du, v + dv.
-struct MapPlane {
-    double u, v, t, per_u, per_v;
-    double at(double other_u, double other_v) const
-    {
-        return t + per_u * (other_u - u) + per_v * (other_v - v);
-    }
-};
 
 enum class Truth { LIT, SHADOWED, APART };
 
@@ -46,53 +32,26 @@ static int filter_reach(const Run &run)
 {
     const Settings &s = run.settings;
     if (run.step <= 2)
-        return (s.kernel - 1) / 2 + 2;
+        return (s.kernel - 1) / 2 + (s.bilinear ? 3 : 2);
     return int(std::ceil(s.downsample * (s.radius + 1.5) - 0.5)) + 2;
-}
-
-static IdealMap ideal_map(const Run &run, const RayScene &rays,
-                          const MapView &view)
-{
-    Picture depth{view.width, view.height, 1, {}};
-    depth.values.resize(size_t(view.width) * size_t(view.height));
-    double start = -1e-6;
-    for (int y = 0; y < view.height; y++)
-        for (int x = 0; x < view.width; x++) {
-            Ray ray = map_ray(view, (x + 0.5) / view.width,
-                              (y + 0.5) / view.height, start);
-            double t = rays.first(ray).distance + start;
-            depth.at(x, y) = float(std::min(t, 1.0));
-        }
-    return {depth, filter_reach(run)};
-}
-
-// n.p is constant on the plane; p is linear in u, v and t.
-static MapPlane plane_of(const Receiver &r, const MapView &view,
-                         const glm::dvec3 &normal)
-{
-    glm::dvec3 zero = point_of_map(view, {0, 0, 0});
-    double du = glm::dot(normal, point_of_map(view, {1, 0, 0}) - zero);
-    double dv = glm::dot(normal, point_of_map(view, {0, 1, 0}) - zero);
-    double dt = glm::dot(normal, point_of_map(view, {0, 0, 1}) - zero);
-    return {r.u, r.v, r.t, -du / dt, -dv / dt};
 }
 
 // What all texels in reach say: LIT where none is nearer to the light than the
 // receiver's plane, SHADOWED where all are nearer than the plane, and than the
 // receiver, by more than the bias. Mixtures, and occluders within the bias, are
 // APART.
-static Truth texels_in_reach(const IdealMap &map, const MapPlane &plane,
-                             double bias, double rounding)
+static Truth texels_in_reach(const IdealMap &map, int reach,
+                             const MapPlane &plane, double bias,
+                             double rounding)
 {
-    int width = map.depth.width, height = map.depth.height;
+    int width = map.width(), height = map.height();
     int centre_x = int(std::floor(plane.u * width));
     int centre_y = int(std::floor(plane.v * height));
     bool lit = true, shadowed = true;
-    for (int y = centre_y - map.reach; y <= centre_y + map.reach; y++)
-        for (int x = centre_x - map.reach; x <= centre_x + map.reach; x++) {
+    for (int y = centre_y - reach; y <= centre_y + reach; y++)
+        for (int x = centre_x - reach; x <= centre_x + reach; x++) {
             double own = plane.at((x + 0.5) / width, (y + 0.5) / height);
-            bool holds = map.depth.holds(x, y);
-            double depth = holds ? double(map.depth.at(x, y)) : 1.0;
+            double depth = map.at(x, y);
             double nearest = std::min(own, plane.t);
             lit = lit && depth >= own - rounding;
             shadowed = shadowed && depth < nearest - bias - rounding;
@@ -119,30 +78,30 @@ static glm::dvec3 true_normal(const RayContext &context, int x, int y)
 {
     Ray ray{glm::dvec3(0), context.camera.ray(x + 0.5, y + 0.5)};
     Hit hit = context.rays.first(ray);
-    if (!hit.found())
-        return glm::dvec3(0);
-    glm::dvec3 n = glm::normalize(context.rays.triangle(hit.triangle).normal());
-    return glm::dot(n, ray.direction) > 0 ? -n : n;
+    return hit.found() ? normal_towards(context.rays.triangle(hit.triangle),
+                                        -ray.direction)
+                       : glm::dvec3(0);
 }
 
 static Truth truth_of(const RayContext &context, const Receiver &r,
                       const MapView &view, const IdealMap &map,
                       const glm::dvec3 &normal)
 {
-    MapPlane plane = plane_of(r, view, normal);
+    MapPlane plane = plane_of({r.u, r.v, r.t}, view, normal);
     const Settings &settings = context.run.settings;
     double bias = 0;
     if (context.run.step <= 4)
-        bias = total_bias(r, view, map.depth.width / settings.downsample,
-                          map.depth.height / settings.downsample,
-                          settings.kernel, settings)
+        bias = total_bias(r, view, map.width() / settings.downsample,
+                          map.height() / settings.downsample, settings.kernel,
+                          settings)
                    .hi;
     // Of the position, as a depth, and of the plane's slope over the reach.
     double size = 1 + std::abs(view.rows[2].w);
     for (int i = 0; i < 3; i++)
         size += std::abs(view.rows[2][i]) * context.extent;
     double rounding = rounding_share(32) * size;
-    Truth truth = texels_in_reach(map, plane, bias, rounding);
+    Truth truth =
+        texels_in_reach(map, filter_reach(context.run), plane, bias, rounding);
     bool dark = in_shadow(context, r, view, normal);
     bool same = dark ? truth == Truth::SHADOWED : truth == Truth::LIT;
     return same ? truth : Truth::APART;
@@ -191,7 +150,7 @@ void check_ray_visibility(const Run &run, const Scene &scene,
     Receivers receivers(run);
     std::vector<IdealMap> maps;
     for (const MapView &view : run.views)
-        maps.push_back(ideal_map(run, rays, view));
+        maps.emplace_back(view, rays);
     Tally tally;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {

@@ -79,11 +79,54 @@ Hit RayScene::first(const Ray &ray, double start) const
     return {index, useful ? exact : double(query.ray.tfar)};
 }
 
-bool RayScene::occluded(const Ray &ray) const
+bool RayScene::occluded(const Ray &ray, double end) const
 {
     RTCRay query = embree_ray(ray, 0);
+    query.tfar = float(end);
     embree_occluded(scene_, &query);
     return query.tfar < 0; // Embree's way to say yes
+}
+
+namespace
+{
+
+struct PlaneQuery {
+    const std::vector<Triangle> &triangles;
+    glm::dvec3 point, normal;
+    bool crossed;
+};
+
+} // namespace
+
+// Embree calls this for each triangle near the point; true: the query changed.
+static bool visit(RTCPointQueryFunctionArguments *arguments)
+{
+    auto &query = *static_cast<PlaneQuery *>(arguments->userPtr);
+    const Triangle &t = query.triangles[arguments->primID];
+    double a = glm::dot(t.a - query.point, query.normal);
+    double b = glm::dot(t.b - query.point, query.normal);
+    double c = glm::dot(t.c - query.point, query.normal);
+    bool above = a > 0 && b > 0 && c > 0, below = a < 0 && b < 0 && c < 0;
+    if (above || below || query.crossed)
+        return false;
+    query.crossed = true;
+    arguments->query->radius = 0; // enough is known
+    return true;
+}
+
+bool RayScene::crosses_plane(const glm::dvec3 &point, const glm::dvec3 &normal,
+                             double radius) const
+{
+    PlaneQuery own{triangles_, point, normal, false};
+    RTCPointQuery query = {};
+    query.x = float(point.x);
+    query.y = float(point.y);
+    query.z = float(point.z);
+    query.radius = float(radius);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_, &query, &context, visit, &own);
+    return own.crossed;
 }
 
 double plane_distance(const Ray &ray, const Triangle &triangle)

@@ -37,7 +37,14 @@ class RayScene
 
     // The first surface at a distance of `start` or more, either side of it.
     Hit first(const Ray &ray, double start = 0) const;
-    bool occluded(const Ray &ray) const;
+    // Whether anything lies on the ray up to a distance of `end`.
+    bool occluded(const Ray &ray, double end = INFINITY) const;
+
+    // Whether some triangle within `radius` of the point crosses the plane
+    // through it: none means that nothing can stand between two points of the
+    // plane in that ball.
+    bool crosses_plane(const glm::dvec3 &point, const glm::dvec3 &normal,
+                       double radius) const;
     const Triangle &triangle(int i) const
     {
         return triangles_[size_t(i)];

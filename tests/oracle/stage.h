@@ -6,7 +6,13 @@
 #include "tests/oracle/dump.h"
 #include "tests/oracle/report.h"
 
-// moments.L.exr: M2 is M1 squared and rounded once.
+// Where the format is that of 16-bit floats, all values are such: 11 bits, or
+// a multiple of 2^-24.
+void check_stored(const Picture &map, const Settings &settings,
+                  const std::string &name, Report &report);
+
+// moments.L.exr: M2 is the depth squared and rounded once; M1 is the depth,
+// rounded where 16-bit floats store it.
 void check_moments(const Run &run, int layer, Report &report);
 
 // blurred.L.exr from moments.L.exr, and its mean.

@@ -2,7 +2,7 @@
 #include <cmath>     // abs, floor
 
 #include "tests/oracle/chebyshev_bound.h"
-#include "tests/oracle/footprint.h" // position_error
+#include "tests/oracle/footprint.h"
 #include "tests/oracle/light.h"
 #include "tests/oracle/rounding.h"
 #include "tests/oracle/stage.h"
@@ -58,6 +58,33 @@ static Interval pcf(const Receiver &r, const MapView &view, const Picture &map,
     return lit;
 }
 
+// Step 2 with --bilinear. Each of the n x n lookups rounds its weights and two
+// nested blends (absolute: at most 1), then n^2 positive numbers are added.
+static Interval soft_pcf(const Receiver &r, const MapView &view,
+                         const Picture &map, const Settings &settings)
+{
+    int n = settings.kernel;
+    Interval bias = total_bias(r, view, map.width, map.height, n, settings);
+    Shifts shifts = lookup_shifts(r.u, r.v, map.width, map.height);
+    double least = INFINITY, most = 0;
+    for (double dy : shifts.y)
+        for (double dx : shifts.x) {
+            Footprint up = tap_footprint(r.v, dy, map.height, settings);
+            Footprint across = tap_footprint(r.u, dx, map.width, settings);
+            Interval lit = 0;
+            for (size_t j = 0; j < up.weights.size(); j++)
+                for (size_t i = 0; i < across.weights.size(); i++) {
+                    double depth =
+                        texel(map, across.first + int(i), up.first + int(j), 0);
+                    double weight = across.weights[i] * up.weights[j];
+                    lit = lit + weight * compared(r.t, bias, depth);
+                }
+            least = std::min(least, lit.lo);
+            most = std::max(most, lit.hi);
+        }
+    return widened({least, most}, rounding_share(n * n + 8));
+}
+
 static double bilinear(const Picture &map, double x, double y, int channel)
 {
     double left = std::floor(x), low = std::floor(y);
@@ -100,6 +127,8 @@ static Interval expected(const Run &run, const Receiver &r, const MapView &view,
                          const Picture &map)
 {
     const Settings &settings = run.settings;
+    if (settings.bilinear)
+        return soft_pcf(r, view, map, settings);
     if (run.step <= 2)
         return pcf(r, view, map, settings);
     Interval m1 = looked_up(map, r, 0);

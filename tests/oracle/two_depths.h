@@ -30,6 +30,18 @@ class MapRectangle
     // AMBIGUOUS within SUBPIXEL of the outline: the rasteriser may decide
     // either way.
     Place place(int texel_x, int texel_y) const;
+
+    // A position in texels in the plane's own units: -0.5 .. 0.5 inside.
+    glm::dvec2 own(const glm::dvec2 &texels) const
+    {
+        return inverse_ * (texels - centre_);
+    }
+
+    // How much the own x and y change per texel across and up.
+    glm::dmat2 own_per_texel() const
+    {
+        return glm::transpose(inverse_);
+    }
     double depth() const
     {
         return depth_;

@@ -8,6 +8,7 @@ use warnings;
 use File::Path qw(remove_tree);
 use File::Temp qw(tempdir);
 use JSON::PP   qw(decode_json);
+use Draw;
 use Test::More;
 use VSM;
 
@@ -35,17 +36,14 @@ my %DUMP_FILES = (
 # code, try the first value of `differ`, or else of `bad`.
 my %OPTIONS = (
     scene => {
-        steps  => [ 1 .. 5 ],
-        differ => [ 'edge', 'bleed:r=4,scale=2', 'teapot:elevation=30' ],
-        bad    => [
-            'nope',         '',           'Edge',         'edge:',
-            'edge:,',       'edge:gap',   'edge:gap=',    'edge:gap=x',
-            'edge:gap=0.1x', 'edge:gap=0', 'edge:gap=nan', 'edge:gap=0.1,',
-            'edge:nope=1',  'edge:r=2'
-        ],
-        allowed => qr/--list-scenes|numbers from .* to/,
+        steps   => [ 1 .. 5 ],
+        differ  => ['edge'],
+        same    => ['teapot'],
+        bad     => [ 'nope', '' ],    # the rest is in scenes.t
+        allowed => qr/--list-scenes|NAME/,
     },
-    'list-scenes' => { steps => [ 1 .. 5 ], check => \&check_list },
+    'list-scenes' => { steps => [ 1 .. 5 ] },    # in scenes.t
+    window        => { steps => [ 1 .. 5 ] },    # in window.t
     size          => {
         steps   => [ 1 .. 5 ],
         check   => \&check_size,
@@ -121,6 +119,7 @@ my %OPTIONS = (
     format   => {
         steps   => [ 3 .. 5 ],
         same    => ['rg32f'],
+        check   => \&check_format,
         bad     => [ 'rg8', '' ],
         allowed => qr/rg32f/,
     },
@@ -160,28 +159,6 @@ my %OPTIONS = (
     },
 );
 
-# A small picture as PNG, or "" if the program fails. The arguments come last:
-# of an option given twice the last one counts.
-sub draw {
-    my ( $step, @arguments ) = @_;
-    my $run =
-      run( $step, qw(--size 160x90 --output picture.png), @arguments );
-    my $picture = -e 'picture.png' ? slurp('picture.png') : '';
-    unlink 'picture.png';
-    return $picture if !$run->{status} && !$run->{signal};
-    diag("step $step @arguments: $run->{err}");
-    return '';
-}
-
-sub is_refused {
-    my ( $step, $arguments, $patterns, $name ) = @_;
-    return stops {
-        run( $step, qw(--size 16x9 --output picture.png --dump dump),
-            @$arguments )
-    }
-    2, $patterns, "step $step: $name";
-}
-
 sub check_size {
     my ($step) = @_;
     for my $words ( [qw(--size 9x16)], $step == 1 ? ['--size=1x1'] : () ) {
@@ -204,7 +181,7 @@ sub check_output {
     is_deeply( [ everything_below('.') ],
         [], "step $step: --output writes nothing else" );
     is_refused( $step, [qw(--output a.jpg)],
-        [ qr/--output/, qr/\.png.*\.exr/ ], '--output a.jpg is refused' );
+        [ qr/--output/, qr/\.png.*\.exr/ ], '--output a.jpg' );
     return;
 }
 
@@ -214,13 +191,24 @@ sub check_show {
     for my $what ( $step == 3 ? ( 'mean', 'variance' ) : 'variance' ) {
         if ( $step < 3 ) {
             is_refused( $step, [ '--show', $what ],
-                [qr/--show.*shaded.*depth/], "--show $what is refused" );
+                [qr/--show.*shaded.*depth/], "--show $what" );
             next;
         }
         my $picture = draw( $step, '--show', $what );
         ok( $picture && $picture ne $plain,
             "step $step: --show $what changes the picture" );
     }
+    return;
+}
+
+# Half precision shows; where a bias would hide it, without one.
+sub check_format {
+    my ($step) = @_;
+    my @bare = $step < 5 ? ( '--bias', 0 ) : ();
+    my ( $full, $half ) =
+      map { draw( $step, @bare, '--format', $_ ) } 'rg32f', 'rg16f';
+    ok( $full && $half && $full ne $half,
+        "step $step: --format rg16f changes the picture" );
     return;
 }
 
@@ -282,45 +270,6 @@ sub check_shaders {
     return;
 }
 
-# Every scene of the list can be drawn, with its keys at both ends of their
-# range, and no further.
-sub check_list {
-    my ($step) = @_;
-    return if $step > 1;
-    my $run = run( $step, '--list-scenes' );
-    is( $run->{status}, 0, '--list-scenes exits with 0' );
-    is_deeply( [ everything_below('.') ],
-        [], '--list-scenes writes no file' );
-    my $scene = '';
-    for ( split /\n/, $run->{out} ) {
-        if (/^(every scene|\w+)  ?\S/ || /^(every scene)$/) {
-            $scene = $1 eq 'every scene' ? 'teapot' : $1;
-            ok( draw( $step, '--scene', $scene ), "scene $scene is drawn" );
-        }
-        elsif (/^\s+(\w+)=(\S+)\.\.(\S+) \(default \S+\)  \S/) {
-            check_key( $step, "$scene:$1", $2, $3 );
-        }
-        else {
-            fail("--list-scenes prints key, range, default and help: $_");
-        }
-    }
-    ok( $scene, '--list-scenes prints scenes' );
-    return;
-}
-
-sub check_key {
-    my ( $step, $key, $least, $most ) = @_;
-    for my $value ( $least, $most ) {
-        ok( draw( $step, '--scene', "$key=$value" ),
-            "scene $key=$value is drawn" );
-    }
-    my $beyond = $most * 1.1;
-    is_refused( $step, [ '--scene', "$key=$beyond" ],
-        [ qr/--scene/, qr/from \Q$least\E to \Q$most\E/ ],
-        "--scene $key=$beyond is refused" );
-    return;
-}
-
 my %help;
 
 sub help {
@@ -345,7 +294,7 @@ sub check_help {
     # What is off, or nowhere, by default has no default to print.
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent = grep { $_ ne 'bilinear' || $step == 2 }
-      qw(bilinear dump help list-scenes shaders);
+      qw(bilinear dump help list-scenes shaders window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;
@@ -362,8 +311,9 @@ sub check_option {
     my %values = map { $_ => $option->{$_} // [] } qw(differ same bad);
     if ( $step != $option->{steps}[0] ) {
         my $list = @{ $values{differ} } ? 'differ' : 'bad';
-        my @one  = $option->{check} ? () : $values{$list}[0];
-        %values = ( differ => [], same => [], bad => [], $list => \@one );
+        my @one  = grep { defined } $values{$list}[0];
+        %values = ( differ => [], same => [], bad => [] );
+        $values{$list} = \@one if !$option->{check};
     }
     $option->{check}->( $step, $plain ) if $option->{check};
     for my $value ( @{ $values{differ} } ) {
@@ -378,7 +328,7 @@ sub check_option {
     for my $value ( @{ $values{bad} } ) {
         is_refused( $step, [ "--$name", $value ],
             [ qr/--$name\b/, $option->{allowed} ],
-            "--$name '$value' is refused" );
+            "--$name '$value'" );
     }
     return;
 }
@@ -393,46 +343,5 @@ for my $step ( 1 .. 5 ) {
         }
     }
 }
-
-# What is wrong with a command line as a whole: step, arguments, what the line
-# on stderr names, and the test's name.
-my @WRONG = (
-    [ 1, ['--nope'],          qr/--nope/,    'an unknown option' ],
-    [ 1, ['-x'],              qr/-x/,        'a short option' ],
-    [ 5, ['teapot'],          qr/teapot/,    'a word that is no option' ],
-    [ 1, [ '--', 'x' ],       qr/'x'/,       'a word after --' ],
-    [ 1, ['--bias'],          qr/--bias/,    'an option without its value' ],
-    [ 1, ['--list-scenes=1'], qr/--list-sc/, 'a value where none belongs' ],
-    [ 1, [ '--scene', "e\nx" ], qr/--scene/, 'a name with a line break' ],
-
-    # Else what a command means would change when an option is added.
-    [ 5, [ '--b', '0.5' ], qr/--b'/, 'the beginning of several names' ],
-
-    [ 1, [qw(--kernel 3)],   qr/unknown.*--kernel/, 'an option of step 2' ],
-    [ 2, [qw(--blur box)],   qr/unknown.*--blur/,   'an option of step 4' ],
-    [ 3, [qw(--radius 3)],   qr/unknown.*--radius/, 'an option of step 4' ],
-    [ 4, [qw(--kernel 3)],   qr/unknown.*--kernel/, 'an option of step 2' ],
-    [ 5, [qw(--bias 0.001)], qr/unknown.*--bias/,   'an option of step 1' ],
-
-    [ 5, [qw(--map-size 4)], qr/--radius 3.* 0 to 1/, 'too small a map' ],
-    [ 4, [qw(--downsample 2 --radius 128)], qr/--radius/, 'too wide a blur' ],
-    [ 4, [qw(--map-size 64x66 --downsample 4)],
-        qr/--downsample/, 'a factor that divides one side only' ],
-    [ 4, [qw(--blur none --radius 3)],
-        qr/--radius.*--blur none/, 'a radius without a blur' ],
-    [ 5, [qw(--radius 4 --blur binomial)],
-        qr/--radius.*--blur binomial/, 'a radius that the kernel has not' ],
-);
-for (@WRONG) {
-    my ( $step, $arguments, $pattern, $name ) = @$_;
-    is_refused( $step, $arguments, [$pattern], "$name is refused" );
-}
-my $unblurred = draw( 4, qw(--blur none) );
-ok( $unblurred && $unblurred eq draw( 4, qw(--radius 0) ),
-    'step 4: no blur is the same as a blur of one texel' );
-unlike( run( 1, qw(--scene edge:gap) )->{err},
-    qr/no such key/, 'a key without a value is not called unknown' );
-unlike( run( 1, '--output', '' )->{err},
-    qr/from 0 to 0/, 'a text has no range' );
 
 done_testing;

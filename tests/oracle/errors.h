@@ -1,0 +1,22 @@
+// The check `errors`: how far the program's visibility is from each truth.
+#ifndef ORACLE_ERRORS_H
+#define ORACLE_ERRORS_H
+
+#include <string>
+
+#include "tests/oracle/dump.h"
+
+struct ErrorOptions {
+    double rays = 256;      // of each average
+    double light_size = 0;  // tangent of the light's angular diameter; 0: none
+    std::string write_into; // a folder, or empty
+};
+
+// Prints CSV: truth,pixels,apart,nonfinite,rmse,p99,max,share. Counted are the
+// pixels that show an object with N.L > 0; `apart` of them (silhouettes, N.L
+// under 0.1) and the non-finite are in no other column; the share is that of
+// errors over 1/255. Writes truth.NAME.exr, error.NAME.exr and error.NAME.bin
+// (bare floats), top row first; the error is 0 where it is not counted.
+void print_errors(const Run &run, const ErrorOptions &options);
+
+#endif

@@ -1,0 +1,56 @@
+// What the map would hold without a rasteriser, and the plane of a receiver
+// in it.
+#ifndef ORACLE_IDEAL_MAP_H
+#define ORACLE_IDEAL_MAP_H
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "tests/oracle/dump.h"
+#include "tests/oracle/rays.h"
+
+// Ray cast depths at the texel centres of one layer, in double.
+class IdealMap
+{
+  public:
+    IdealMap(const MapView &view, const RayScene &rays);
+
+    // t; infinite outside the map and where there is nothing up to far.
+    double at(int x, int y) const
+    {
+        bool holds = x >= 0 && y >= 0 && x < width_ && y < height_;
+        return holds ? depths_[size_t(y) * size_t(width_) + size_t(x)]
+                     : INFINITY;
+    }
+    int width() const
+    {
+        return width_;
+    }
+    int height() const
+    {
+        return height_;
+    }
+
+  private:
+    int width_, height_;
+    std::vector<double> depths_;
+};
+
+// A receiver's own plane in the map: t at u + du, v + dv.
+struct MapPlane {
+    double u, v, t, per_u, per_v;
+    double at(double other_u, double other_v) const
+    {
+        return t + per_u * (other_u - u) + per_v * (other_v - v);
+    }
+};
+
+// The plane through a point given in u, v, t; the normal is relative space's.
+MapPlane plane_of(const glm::dvec3 &point, const MapView &view,
+                  const glm::dvec3 &normal);
+
+// The triangle's unit normal on the side of `direction`.
+glm::dvec3 normal_towards(const Triangle &triangle,
+                          const glm::dvec3 &direction);
+
+#endif

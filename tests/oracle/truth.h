@@ -1,0 +1,89 @@
+// What visibility should be, in several meanings (DESIGN.md section 7): each
+// blames something else.
+#ifndef ORACLE_TRUTH_H
+#define ORACLE_TRUTH_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/oracle/dump.h"
+#include "tests/oracle/ideal_map.h"
+#include "tests/oracle/projection.h"
+#include "tests/oracle/rays.h"
+#include "tests/oracle/scene_table.h"
+
+// The surface that a pixel shows, without the rounding of position.exr.
+struct Surface {
+    bool found = false; // else rays and the rasteriser see different ones
+    int object = -1;    // index in the scene
+    glm::dvec3 point;   // relative, on the triangle's plane
+    glm::dvec3 normal;  // the triangle's, unit length, towards the viewer
+    MapPlane plane;     // in the map
+};
+
+struct Pixel {
+    int x, y;
+    Receiver receiver;
+    Surface surface;
+    bool counts;  // shows an object with N.L > 0
+    bool grazing; // N.L < 0.1, with the shading or the triangle's normal
+};
+
+// Everything that the truths of one run are made from.
+struct TruthScene {
+    const Run &run;
+    SceneTable table;
+    RayScene rays;
+    PictureCamera camera;
+    Receivers receivers;
+    double extent; // the largest coordinate
+    double lift;   // off a surface, so that a ray does not meet it again
+    std::vector<IdealMap> ideal;
+
+    explicit TruthScene(const Run &the_run);
+    const MapView &view(const Receiver &r) const
+    {
+        return run.views[size_t(r.layer)];
+    }
+    Pixel pixel(int x, int y) const;
+    bool lit(const glm::dvec3 &point, const glm::dvec3 &to_light) const;
+
+    // How far a depth t in the map can be off: rasterised, or ray cast
+    // against the plane of another triangle of the same flat surface.
+    double float_rounding(const MapView &view) const;
+    double tie_rounding(const MapView &view) const;
+};
+
+// Unit length, against the way the light travels.
+glm::dvec3 to_light(const MapView &view);
+
+struct TruthValue {
+    double value;
+    bool apart = false; // not to be counted with the others
+};
+
+struct Truth {
+    std::string name;
+    std::function<TruthValue(const Pixel &)> at; // for pixels that count
+};
+
+// The share of the stored texels at or behind t; `ties` behind t counts too.
+Truth lower_truth(const TruthScene &scene, double ties = 0);
+
+// The share of ideal texels not in front of the receiver's own plane by more
+// than `ties` times what rounding explains; under 0: texels that are as deep
+// as the plane are dark.
+Truth pcf_truth(const TruthScene &scene, double ties = 1);
+
+// Hard visibility averaged over the kernel on the receiver's plane.
+Truth footprint_truth(const TruthScene &scene, double rays);
+
+// Hard visibility of the pixel's point.
+Truth hard_truth(const TruthScene &scene);
+
+// The visible share of a disc around the light's direction; `size` is the
+// tangent of its angular diameter.
+Truth area_truth(const TruthScene &scene, double rays, double size);
+
+#endif

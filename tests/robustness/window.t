@@ -1,0 +1,241 @@
+# The window, on a display of its own: it shows what is drawn off-screen, obeys
+# the mouse and the keys, and outlives an error in a shader.
+use strict;
+use warnings;
+
+use File::Temp  qw(tempdir);
+use POSIX       ();
+use Test::More;
+use Time::HiRes qw(sleep time);
+use VSM;
+
+chdir tempdir( CLEANUP => 1 ) or die "cannot work in a temporary folder\n";
+
+my $SECONDS = $ENV{VSM_SLOW} ? 100 : 10;    # to wait for anything
+my @CLOSE   = qw(max=0.004 share=0.001);    # rounding to 8 bits may differ
+
+# What the title says of each step's main parameter, and a shader of the step
+# with a word whose loss it cannot compile without.
+my %STEPS = (
+    1 => [ 'map 512x512',  'step1_shadowmap/shaders/hard.glsl', 'texel' ],
+    2 => [ 'kernel 7',     'step2_pcf/shaders/pcf.glsl',        'radius' ],
+    3 => [ 'format rg32f', 'step3_moments/shaders/moments.frag', 'depth' ],
+    4 => [ 'radius 3',     'step4_blur/shaders/blur.frag',      'weight' ],
+    5 => [ 'radius 3', 'step5_chebyshev/shaders/chebyshev.glsl', 'variance' ],
+);
+
+my ( $server, $server_pid, %children );
+local $SIG{INT} = local $SIG{TERM} = sub { exit 1 };    # past END
+
+END {
+    local $?;
+    kill 'KILL', keys %children;
+    if ($server_pid) {
+        kill 'TERM', $server_pid;
+        close $server;    # waits for it
+    }
+}
+
+# A display that nobody else uses: the server picks its number.
+sub start_display {
+    $server_pid = open( $server, '-|' ) // die "cannot fork: $!\n";
+    if ( $server_pid == 0 ) {
+        open STDERR, '>', '/dev/null';
+
+        # Else it starts afresh, deaf meanwhile, when a window has closed.
+        exec(qw(Xvfb -displayfd 1 -noreset -screen 0 800x600x24))
+          or POSIX::_exit(127);
+    }
+    my $number = <$server> // die "Xvfb does not start\n";
+    chomp $number;
+    $ENV{DISPLAY} = ":$number";
+    delete $ENV{WAYLAND_DISPLAY};
+    return;
+}
+
+# Whether the code returns something true before the time is over.
+sub soon(&) {
+    my ($code) = @_;
+    my $end = time + $SECONDS;
+    until ( $code->() ) {
+        return 0 if time > $end;
+        sleep 0.02;
+    }
+    return 1;
+}
+
+# Opens a step in a window and waits until it shows a picture. Returns {pid,
+# id}; what the program prints goes to the files stdout and stderr.
+sub open_window {
+    my ( $step, @arguments ) = @_;
+    my $pid = fork // die "cannot fork: $!\n";
+    if ( $pid == 0 ) {
+        open STDOUT, '>', 'stdout';
+        open STDERR, '>', 'stderr';
+        alarm 6 * $SECONDS;    # goes on across exec
+        exec( program($step), '--window', @arguments ) or POSIX::_exit(127);
+    }
+    $children{$pid} = 1;
+    my $window = { pid => $pid, id => '' };
+    my $open   = soon {
+        my $found = command( qw(xdotool search --pid), $pid )->{out};
+        ( $window->{id} ) = $found =~ /^(\d+)$/m;
+        $window->{id} && title($window) =~ / ms$/;
+    };
+    die "step $step does not open a window: " . slurp('stderr') if !$open;
+    command( qw(xdotool windowfocus --sync), $window->{id} );
+    return $window;
+}
+
+# Waits until the window has closed; returns the program's exit status.
+sub closed {
+    my ($window) = @_;
+    soon { waitpid( $window->{pid}, POSIX::WNOHANG ) } or return 'still open';
+    delete $children{ $window->{pid} };
+    return $?;
+}
+
+sub title {
+    my ($window) = @_;
+    my $title = command( qw(xdotool getwindowname), $window->{id} )->{out};
+    chomp $title;
+    return $title;
+}
+
+# The window's pixels, in a format that holds nothing else.
+sub screenshot {
+    my ( $window, $file ) = @_;
+    $file //= 'now.ppm';
+    command( qw(import -window), $window->{id}, "ppm:$file" );
+    return -e $file ? slurp($file) : '';
+}
+
+sub press { return command( qw(xdotool key), @_ ) }
+
+sub shows {
+    my ( $window, $picture ) = @_;
+    return soon { screenshot($window) eq $picture };
+}
+
+sub shows_another {
+    my ( $window, $picture ) = @_;
+    return soon { screenshot($window) ne $picture };
+}
+
+# One step: the off-screen picture; a wrong shader; the right one again.
+sub check_step {
+    my ($step) = @_;
+    my ( $parameter, $shader, $word ) = @{ $STEPS{$step} };
+    my @size = qw(--size 320x180);
+    run( $step, @size, '--output', 'offscreen.png' );
+    my $text = slurp( root() . "/$shader" );
+    spew( "mine/$shader", $text );
+    my $window = open_window( $step, @size, qw(--shaders mine) );
+    like( title($window), qr/^teapot - step $step, $parameter - [\d.]+ ms$/,
+        "step $step: the title" );
+    my $first = screenshot( $window, 'first.ppm' );
+    oracle( 'compare', 'offscreen.png', 'first.ppm', @CLOSE );
+
+    my ($before) = $text =~ /(.*)\b$word\b/s or die "no $word in $shader\n";
+    my $line = 1 + ( $before =~ tr/\n// );
+    spew( "mine/$shader", $text =~ s/\Q$before\E\K$word/${word}s/r );
+    press('r');
+    ok( soon { title($window) =~ /shader error$/ },
+        "step $step: a wrong shader is in the title" );
+    like( slurp('stderr'), qr/\A[^\n]*\Q$shader\E:$line\b[^\n]*error[^\n]*\n\z/,
+        "step $step: one line names its file and line" );
+    ok( screenshot($window) eq $first, "step $step: the old picture stays" );
+
+    spew( "mine/$shader", "$text\n" );
+    press('r');
+    ok( soon { title($window) =~ / ms$/ },
+        "step $step: the right shader is taken" );
+    ok( screenshot($window) eq $first,
+        "step $step: and draws the same picture" );
+    return ( $window, $first );
+}
+
+sub check_keys {
+    my ( $window, $first ) = @_;
+    press('h');
+    ok( soon { slurp('stdout') =~ /arrow.*\br\b.*\bs\b.*\bh\b.*escape/s },
+        'h prints the keys' );
+    press('s');
+    ok( soon { -e 'saved.png' }, 's saves the picture' )
+      and oracle( 'compare', 'offscreen.png', 'saved.png', @CLOSE );
+
+    my @opposite = qw(Right Left Up Down plus minus);
+    while ( my ( $there, $back ) = splice @opposite, 0, 2 ) {
+        press($there);
+        ok( shows_another( $window, $first ), "$there moves the camera" );
+        my $moved = screenshot($window);
+        press($back);
+        ok( shows_another( $window, $moved ), "$back moves it" );
+        screenshot( $window, 'back.ppm' );
+        oracle( 'compare', 'first.ppm', 'back.ppm', @CLOSE );
+    }
+    return;
+}
+
+sub check_mouse {
+    my ($window) = @_;
+    my $still = screenshot($window);
+    command(qw(xdotool mousemove 100 100 mousemove 150 120));
+    sleep 0.1;
+    ok( screenshot($window) eq $still, 'the pointer alone does nothing' );
+    command(qw(xdotool mousedown 1 mousemove 200 110 mouseup 1));
+    ok( shows_another( $window, $still ), 'a drag moves the camera' );
+    sleep 0.2;    # until the drag's last motion is drawn
+    my $dragged = screenshot($window);
+    command(qw(xdotool click 4));
+    ok( shows_another( $window, $dragged ), 'the wheel moves the camera' );
+    return;
+}
+
+# A shader that compiles and draws something else is taken, too.
+sub check_edit {
+    my ($window) = @_;
+    my $shader = 'step1_shadowmap/shaders/scene.frag';
+    my $text   = slurp( root() . "/$shader" );
+    my $before = screenshot($window);
+    spew( "mine/$shader", $text =~ s/= albedo \*/= albedo.bgr */r );
+    press('r');
+    ok( shows_another( $window, $before ), 'an edited shader shows' );
+    spew( "mine/$shader", $text );
+    press('r');
+    ok( shows( $window, $before ), 'and the old one again' );
+    return;
+}
+
+{
+    local %ENV = %ENV;
+    delete @ENV{qw(DISPLAY WAYLAND_DISPLAY)};
+    stops { run( 5, qw(--window --output a.png) ) } 1,
+      [qr/no display: --window needs one/], 'no display: one line';
+    is( run( 5, qw(--size 16x9 --output a.png) )->{status},
+        0, 'without a window no display is needed' );
+    unlink 'a.png';
+}
+for ( [qw(--dump dump)], [qw(--bench 2)] ) {
+    stops { run( 1, qw(--window --output a.png), @$_ ) } 2,
+      [ qr/--window/, qr/drop $_->[0]/ ], "no window with $_->[0]";
+}
+
+start_display();
+for my $step ( 1 .. 5 ) {
+    my ( $window, $first ) = check_step($step);
+    if ( $step == 5 ) {
+        check_edit($window);
+    }
+    press('Escape');
+    is( closed($window), 0, "step $step: escape closes the window" );
+}
+run( 5, qw(--size 320x180 --output offscreen.png) );
+my $window = open_window( 5, qw(--size 320x180 --output saved.png) );
+check_keys( $window, screenshot( $window, 'first.ppm' ) );
+check_mouse($window);
+press('Escape');
+is( closed($window), 0, 'escape closes the window' );
+is( slurp('stderr'), '', 'nothing was wrong' );
+
+done_testing;
