@@ -2,13 +2,14 @@
 # Every C file through both compilers with every warning an error; the shell
 # scripts through theirs. Run by `make lint`, after the set-up.
 set -eu
-flags="-I. -Ibuild/glad/include -DSHADER_ROOT=\"\" -fsyntax-only -Werror
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion"
-packages=$(pkg-config --cflags-only-I osmesa glfw3 cglm | sed 's/-I/-isystem /g')
+set -- -I. -Ibuild/glad/include '-DSHADER_ROOT=""' -fsyntax-only -Werror \
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+packages=$(pkg-config --cflags-only-I osmesa cglm glfw3 |
+    sed 's/-I/-isystem /g')
 for compiler in gcc clang; do
     for file in $(git ls-files '*.c'); do
-        # shellcheck disable=SC2086 # lists of words
-        $compiler -std=c11 $flags $packages "$file"
+        # shellcheck disable=SC2086 # a list of words
+        $compiler -std=c11 "$@" $packages "$file"
     done
 done
 # shellcheck disable=SC2046 # a list of names

@@ -14,11 +14,11 @@ for entry; do
     package=${entry%%:*}
     name=${entry##*:}
     kind=${entry#*:}
+    # shellcheck disable=SC2086 # a header may be a pattern
     case ${kind%%:*} in
     command) command -v "$name" >/dev/null && continue ;;
     module) pkg-config --exists "$name" 2>/dev/null && continue ;;
-    # shellcheck disable=SC2086 # may be a pattern
-    header) ls $name >/dev/null 2>&1 && continue ;;
+    header) ls -d $name >/dev/null 2>&1 && continue ;;
     esac
     missing="$missing $package"
 done
