@@ -258,7 +258,7 @@ void views_fit(Views *views, const Scene *scene, const int picture[2],
     views->width = map[0];
     views->height = map[1];
     int side = least(map[0], map[1]);
-    views->border = least(greatest(reach, side / 32), (side - 1) / 2);
+    views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
     views->layers = 1;
     fit_light(views, scene, &views->light[0]);
 }

@@ -30,8 +30,11 @@ typedef struct Views {
 
 // Fits the views to the scene. `picture` and `map` are sizes in pixels and
 // texels; `reach` is how many texels a filter reads to each side. Texels are
-// square in the world. The border is at least `reach`, and at least a 32nd of
-// the map, so that filters of different width see the same texels.
+// square in the world. The border is at least twice the reach: a receiver
+// within reach of a caster must not have the map's edge within reach too, or
+// the far depth outside would join the caster and the receiver under its
+// filter. It is at least a 16th of the map, so that filters of different width
+// see the same texels.
 void views_fit(Views *views, const Scene *scene, const int picture[2],
                const int map[2], int reach);
 

@@ -44,7 +44,7 @@ static void compare_pixel(const Pixel &pixel, const Truth &truth,
         if (!std::isfinite(pixel.receiver.visibility))
             kind = Kind::NON_FINITE;
         if (kind == Kind::COUNTED)
-            error = pixel.receiver.visibility - value.value;
+            error = value.error(pixel.receiver.visibility);
     }
     comparison.truth.at(pixel.x, pixel.y) = float(value.value);
     comparison.error.at(pixel.x, pixel.y) = float(error);

@@ -4,6 +4,8 @@
 #define ORACLE_IDEAL_MAP_H
 
 #include <glm/glm.hpp>
+#include <array>
+#include <unordered_map>
 #include <vector>
 
 #include "tests/oracle/dump.h"
@@ -22,6 +24,18 @@ class IdealMap
         return holds ? depths_[size_t(y) * size_t(width_) + size_t(x)]
                      : INFINITY;
     }
+    // The same at four points of an outline's texel, else nothing: a
+    // rasteriser keeps positions to 1/256 texel (8 bits, the least that GL
+    // allows is 4), so a texel whose centre is nearer than that to an outline
+    // may hold either of two surfaces.
+    const std::array<double, 4> *around(int x, int y) const
+    {
+        auto found = outline_.find(size_t(y) * size_t(width_) + size_t(x));
+        return found == outline_.end() ? nullptr : &found->second;
+    }
+    static constexpr double SNAP = 1.0 / 256;
+    static constexpr int SNAP_X[4] = {-1, 1, 0, 0}, SNAP_Y[4] = {0, 0, -1, 1};
+
     int width() const
     {
         return width_;
@@ -34,6 +48,7 @@ class IdealMap
   private:
     int width_, height_;
     std::vector<double> depths_;
+    std::unordered_map<size_t, std::array<double, 4>> outline_;
 };
 
 // A receiver's own plane in the map: t at u + du, v + dv.

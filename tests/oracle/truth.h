@@ -1,8 +1,9 @@
-// What visibility should be, in several meanings (DESIGN.md section 7): each
+// What visibility should be, in several meanings: each
 // blames something else.
 #ifndef ORACLE_TRUTH_H
 #define ORACLE_TRUTH_H
 
+#include <algorithm> // clamp
 #include <functional>
 #include <string>
 #include <vector>
@@ -61,6 +62,15 @@ glm::dvec3 to_light(const MapView &view);
 struct TruthValue {
     double value;
     bool apart = false; // not to be counted with the others
+    // Where the truth itself is not sharp: it lies between value - below and
+    // value + above, and only what is outside of that is an error.
+    double below = 0, above = 0;
+
+    double error(double visibility) const
+    {
+        double low = value - below, high = value + above;
+        return visibility - std::clamp(visibility, low, high);
+    }
 };
 
 struct Truth {
@@ -73,7 +83,7 @@ Truth lower_truth(const TruthScene &scene, double ties = 0);
 
 // The share of ideal texels not in front of the receiver's own plane by more
 // than `ties` times what rounding explains; under 0: texels that are as deep
-// as the plane are dark.
+// as the plane are dark. Texels on an outline may count or not.
 Truth pcf_truth(const TruthScene &scene, double ties = 1);
 
 // Hard visibility averaged over the kernel on the receiver's plane.

@@ -39,6 +39,35 @@ Truth lower_truth(const TruthScene &scene, double ties)
     return {"lower", at};
 }
 
+// Whether an ideal texel is lit: at its centre; for an outline's texel, also
+// whether it is at all points around, and at any.
+namespace
+{
+struct Lit {
+    bool middle, all, any;
+};
+} // namespace
+
+static Lit compare(const IdealMap &map, const MapPlane &plane, double slack,
+                   int x, int y)
+{
+    auto own = [&](double dx, double dy) {
+        return plane.at((x + 0.5 + dx) / map.width(),
+                        (y + 0.5 + dy) / map.height()) -
+               slack;
+    };
+    bool middle = map.at(x, y) >= own(0, 0);
+    Lit lit{middle, middle, middle};
+    const std::array<double, 4> *around = map.around(x, y);
+    for (size_t k = 0; around != nullptr && k < 4; k++) {
+        bool here = (*around)[k] >= own(IdealMap::SNAP * IdealMap::SNAP_X[k],
+                                        IdealMap::SNAP * IdealMap::SNAP_Y[k]);
+        lit.all = lit.all && here;
+        lit.any = lit.any || here;
+    }
+    return lit;
+}
+
 Truth pcf_truth(const TruthScene &scene, double ties)
 {
     auto at = [&scene, ties](const Pixel &pixel) -> TruthValue {
@@ -48,13 +77,18 @@ Truth pcf_truth(const TruthScene &scene, double ties)
         if (!pixel.surface.found)
             return {1, true};
         const IdealMap &map = scene.ideal[size_t(r.layer)];
-        const MapPlane &plane = pixel.surface.plane;
         double slack = ties * scene.tie_rounding(scene.view(r));
-        return {weight_of(scene, r, [&](int x, int y) {
-            double own =
-                plane.at((x + 0.5) / map.width(), (y + 0.5) / map.height());
-            return map.at(x, y) >= own - slack;
-        })};
+        auto weight = [&](bool Lit::*which) {
+            return weight_of(scene, r, [&](int x, int y) {
+                bool inside =
+                    x >= 0 && y >= 0 && x < map.width() && y < map.height();
+                return !inside ||
+                       compare(map, pixel.surface.plane, slack, x, y).*which;
+            });
+        };
+        double middle = weight(&Lit::middle);
+        return {middle, false, middle - weight(&Lit::all),
+                weight(&Lit::any) - middle};
     };
     return {"pcf", at};
 }

@@ -219,9 +219,9 @@ sub check_claims {
           $row{"$scene PCF 7"}{shading_ms};
         my $vsm = $row{"$scene VSM 31"}{shading_ms} /
           $row{"$scene VSM 7"}{shading_ms};
-        claim( $pcf >= 8 || $scene ne 'teapot',
+        claim( $pcf >= 8,
             sprintf '%s: shading, width 31 over 7: PCF %.1f', $scene, $pcf );
-        claim( $vsm <= 1.2 || $scene ne 'teapot',
+        claim( $vsm <= 1.2,
             sprintf '%s: shading, width 31 over 7: VSM %.2f', $scene, $vsm );
     }
     for my $width (@widths) {
@@ -234,15 +234,15 @@ sub check_claims {
             sprintf 'bleed, r = 4: largest error of VSM %d: %.4f, formula %.4f',
             $width, $largest, ( 4 / 6 )**2 );
     }
+    # The steps' own defaults are 7 texels wide. Wider VSM need not be nearer
+    # than hard shadows: the bound's own error grows with the width.
     my $hard = $row{'teapot hard'}{footprint_rmse};
-    for my $width (@widths) {
-        for my $name ( "PCF $width", "VSM $width" ) {
-            my $rmse = $row{"teapot $name"}{footprint_rmse};
-            claim( $rmse < $hard,
-                sprintf 'teapot: %s is nearer to footprint truth than hard: '
-                  . 'RMSE %.4f, %.4f',
-                $name, $rmse, $hard );
-        }
+    for my $name ( 'PCF 7', 'VSM 7' ) {
+        my $rmse = $row{"teapot $name"}{footprint_rmse};
+        claim( $rmse < $hard,
+            sprintf 'teapot: %s is nearer to footprint truth than hard: '
+              . 'RMSE %.4f, %.4f',
+            $name, $rmse, $hard );
     }
     return;
 }

@@ -26,7 +26,7 @@ my %DUMP_FILES = (
     5 => [ 'blurred.0.exr', 'moments.0.exr' ],
 );
 
-# steps:   which programs have the option (DESIGN.md, section 4)
+# steps:   which programs have the option
 # differ:  values that draw another picture than the program's defaults do
 # same:    values that draw the same picture
 # bad:     values to refuse; `allowed` is in the line that refuses them
