@@ -97,7 +97,8 @@ my %mutants = (
         'step3_moments/shaders/moments.frag',
         'vec2(depth, depth * depth);',
         "vec2(depth, depth * depth);\n"
-          . '    if (ivec2(gl_FragCoord.xy) == ivec2(99)) moments /= 0.0;'
+          . '    if (ivec2(gl_FragCoord.xy) == ivec2(99))'
+          . ' moments = vec2(uintBitsToFloat(0x7fc00000u));'
     ],
     'the map\'s edge goes on outside' => [
         'step4',

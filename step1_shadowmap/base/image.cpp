@@ -71,6 +71,8 @@ static void write(const char *path, const float *pixels, int width, int height,
     bool png = ends_with(path, ".png");
     OIIO::ImageSpec spec(width, height, channels,
                          png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+    // Else the writer puts the time there, and no two files are the same.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
     std::vector<float> encoded;
     if (png) {
         spec.attribute("oiio:ColorSpace", "sRGB");
