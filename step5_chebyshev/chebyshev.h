@@ -8,12 +8,17 @@
 
 typedef struct ChebyshevSettings {
     double min_variance;    // of the squared depth range, or OPTION_AUTO
+    double variance_bias;   // added to every variance, same unit
     double bleed_reduction; // A in [0, 1)
+    const char *reduction;  // linear or smooth
 } ChebyshevSettings;
 
 extern const Option chebyshev_options[];
 
 ChebyshevSettings chebyshev_settings(void);
+
+// The shader file that defines reduce_bleeding() for these settings.
+const char *chebyshev_reduction_shader(const ChebyshevSettings *settings);
 
 // Sets the uniforms of chebyshev.glsl; `format` is what the moments are
 // stored in: its unit roundoff gives the automatic minimum variance.

@@ -48,7 +48,8 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
-    static const char *const visibility[] = {
+    const char *const visibility[] = {
+        chebyshev_reduction_shader(&state.chebyshev),
         "step5_chebyshev/shaders/chebyshev.glsl", NULL};
     scene_create(&state.scene, state.base.scene);
     state.context = context_create(state.base.window, state.base.size);

@@ -119,6 +119,14 @@ my %mutants = (
         'truths', 'step4_blur/shaders/blur.frag',
         'ivec2(i + radius, 0)', 'ivec2(abs(i), 0)'
     ],
+    'the variance bias taken away' => [
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
+        'variance + variance_bias', 'variance - variance_bias'
+    ],
+    'a smooth reduction from 0' => [
+        'step5', 'step5_chebyshev/shaders/reduction_smooth.glsl',
+        'smoothstep(bleed_reduction', 'smoothstep(0.0'
+    ],
     'what is outside the map is near' => [
         'step4', 'step4_blur/shaders/map_texel.glsl', 'vec2(1.0)', 'vec2(0.0)'
     ],
@@ -142,7 +150,7 @@ my %mutants = (
     ],
     'reduction without the clamp' => [
         'step5',
-        'step5_chebyshev/shaders/chebyshev.glsl',
+        'step5_chebyshev/shaders/reduction_linear.glsl',
         "clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0,\n"
           . '                 1.0)',
         '(p_max - bleed_reduction) / (1.0 - bleed_reduction)'

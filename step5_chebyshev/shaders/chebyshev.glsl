@@ -4,7 +4,7 @@ uniform sampler2DArray shadow_map;  // red, green: moments M1, M2 of the depth
 
 uniform float min_variance;        // of the squared depth range
 uniform float min_variance_of_m2;  // of M2: what rounding M2 can hide
-uniform float bleed_reduction;     // A in [0, 1)
+uniform float variance_bias;       // added to every variance, likewise
 
 // The largest part of the filter's depths X that can be at or behind t, given
 // their first two moments: P(X >= t) <= variance / (variance + (t - M1)^2)
@@ -13,17 +13,10 @@ float chebyshev(vec2 moments, float t)
 {
     float least = max(min_variance, min_variance_of_m2 * moments.y);
     float variance = max(moments.y - moments.x * moments.x, least);
+    variance = min(variance + variance_bias, 1.0);
     float behind = t - moments.x;
     float p_max = variance / (variance + behind * behind);
     return behind > 0.0 ? p_max : 1.0;
-}
-
-// Light bleeds where the bound is loose; what is left of it below A is cut
-// off. Lauritzen, GPU Gems 3, chapter 8.
-float reduce_bleeding(float p_max)
-{
-    return clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0,
-                 1.0);
 }
 
 float visibility(Receiver receiver)

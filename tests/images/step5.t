@@ -35,6 +35,9 @@ for my $ratio ( 1, 2, 4 ) {
 for my $options (
     [qw(--bleed-reduction 0.18)],
     [qw(--bleed-reduction 0.9)],
+    [qw(--bleed-reduction 0.3 --reduction smooth)],
+    [qw(--variance-bias 1e-4)],
+    [qw(--variance-bias 1 --min-variance 1)],
     [qw(--min-variance 0)],
     [qw(--min-variance 1e-3)],
     [qw(--map-size 300x180)],

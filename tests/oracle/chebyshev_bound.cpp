@@ -1,6 +1,7 @@
 #include "tests/oracle/chebyshev_bound.h"
 
-#include <cmath> // pow
+#include <algorithm> // clamp, max, min
+#include <cmath>     // pow
 
 #include "tests/oracle/rounding.h"
 
@@ -21,7 +22,12 @@ static Interval variance_of(Interval m1, Interval m2, const Settings &settings)
 {
     Interval squared = rounded(square(m1), UNIT_ROUNDOFF);
     Interval difference = rounded(m2 - squared, UNIT_ROUNDOFF);
-    return maximum(difference, minimum_variance(m2, settings));
+    Interval variance = maximum(difference, minimum_variance(m2, settings));
+    if (settings.variance_bias == 0)
+        return variance;
+    Interval bias = rounded(settings.variance_bias, UNIT_ROUNDOFF);
+    Interval sum = rounded(variance + bias, UNIT_ROUNDOFF);
+    return {std::min(sum.lo, 1.0), std::min(sum.hi, 1.0)};
 }
 
 static Interval p_max(Interval m1, Interval m2, Interval t,
@@ -41,15 +47,27 @@ static Interval p_max(Interval m1, Interval m2, Interval t,
     return rounded({lo, hi}, rounding_share(8));
 }
 
+// Hermite's cubic, the formula of GLSL's smoothstep between 0 and 1.
+static double smooth_step(double s)
+{
+    return s * s * (3 - 2 * s);
+}
+
 Interval chebyshev(Interval m1, Interval m2, Interval t,
                    const Settings &settings)
 {
     double a = settings.bleed_reduction;
     Interval p = p_max(m1, m2, t, settings);
-    if (a == 0)
+    if (a == 0 && !settings.smooth)
         return clamp(p, 0, 1);
     Interval above = widened(p - a, 2 * UNIT_ROUNDOFF); // p <= 1: absolute
-    return clamp(rounded(above / (1 - a), rounding_share(6)), 0, 1);
+    Interval s = clamp(rounded(above / (1 - a), rounding_share(6)), 0, 1);
+    if (!settings.smooth)
+        return s;
+    // It grows with s; its terms are at most 3, in five operations.
+    return clamp(
+        widened({smooth_step(s.lo), smooth_step(s.hi)}, 3 * rounding_share(5)),
+        0, 1);
 }
 
 double chebyshev_exact(double m1, double m2, double t, const Settings &settings)
@@ -59,9 +77,11 @@ double chebyshev_exact(double m1, double m2, double t, const Settings &settings)
     double floor = settings.auto_variance ? 4 * format_roundoff(settings) * m2
                                           : settings.min_variance;
     double variance = std::max(m2 - m1 * m1, floor);
+    variance = std::min(variance + settings.variance_bias, 1.0);
     double p = variance / (variance + (t - m1) * (t - m1));
     double a = settings.bleed_reduction;
-    return std::clamp((p - a) / (1 - a), 0.0, 1.0);
+    double s = std::clamp((p - a) / (1 - a), 0.0, 1.0);
+    return settings.smooth ? smooth_step(s) : s;
 }
 
 // How often the filter stores: the downsampled map, and one pass per axis.

@@ -80,6 +80,8 @@ static Settings settings_of(const json &options, int step)
         if (floor.is_number())
             settings.min_variance = floor.get<double>();
         settings.bleed_reduction = options.at("bleed-reduction").get<double>();
+        settings.variance_bias = options.at("variance-bias").get<double>();
+        settings.smooth = options.at("reduction") == "smooth";
     }
     return settings;
 }

@@ -35,6 +35,13 @@ struct Settings {
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance
     double bleed_reduction = 0;
+    double variance_bias = 0;
+    bool smooth = false; // the reduction's form
+
+    bool reduces() const
+    {
+        return bleed_reduction != 0 || smooth;
+    }
 };
 
 struct Run {

@@ -97,7 +97,7 @@ static std::vector<Truth> truths_of(const TruthScene &scene,
 {
     std::vector<Truth> truths;
     const Run &run = scene.run;
-    if (run.step == 5 && run.settings.bleed_reduction == 0)
+    if (run.step == 5 && !run.settings.reduces())
         truths.push_back(lower_truth(scene));
     truths.push_back(pcf_truth(scene));
     truths.push_back(footprint_truth(scene, options.rays));

@@ -105,8 +105,8 @@ static void test_pixel(const Run &run, const Receiver &r, const MapView &view,
 
 void check_lower(const Run &run, Report &report)
 {
-    if (run.step != 5 || run.settings.bleed_reduction != 0)
-        throw BadInput("lower needs step 5 with bleed-reduction 0");
+    if (run.step != 5 || run.settings.reduces())
+        throw BadInput("lower needs step 5 without a reduction");
     Receivers receivers(run);
     std::vector<Picture> maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)

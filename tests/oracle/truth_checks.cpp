@@ -182,8 +182,7 @@ void check_truths(const Run &run, double rays, double light_size,
 {
     TruthScene scene(run);
     std::string name = scene.table.scene.name;
-    bool lower = run.step == 5 && run.settings.bleed_reduction == 0 &&
-                 !run.settings.half;
+    bool lower = run.step == 5 && !run.settings.reduces() && !run.settings.half;
     if (name == "empty") {
         check_all_lit(scene, pcf_truth(scene), report);
         check_all_ties(scene, report);

@@ -151,6 +151,20 @@ my %OPTIONS = (
         bad     => [ '-1', '1.1', 'automatic', 'nan', '' ],
         allowed => qr/numbers from 0 to 1, or auto/,
     },
+    'variance-bias' => {
+        steps   => [5],
+        differ  => ['1e-3'],
+        same    => [0],
+        bad     => [ '-1e-3', '1.1', '' ],
+        allowed => qr/numbers from 0 to 1/,
+    },
+    reduction => {
+        steps   => [5],
+        differ  => ['smooth'],
+        same    => ['linear'],
+        bad     => [ 'none', '' ],
+        allowed => qr/linear,smooth/,
+    },
     'bleed-reduction' => {
         steps   => [5],
         differ  => [ '0.6', 0 ],
