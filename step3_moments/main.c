@@ -42,8 +42,9 @@ static void read_settings(int argc, char **argv)
 static void create(void)
 {
     static const char *const visibility[] = {
-        "step1_shadowmap/shaders/bias.glsl", "step3_moments/shaders/mean.glsl",
-        NULL};
+        "step1_shadowmap/shaders/bias.glsl",
+        "step3_moments/shaders/lookup_bilinear.glsl",
+        "step3_moments/shaders/mean.glsl", NULL};
     scene_create(&state.scene, state.base.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,

@@ -4,76 +4,7 @@
 #include <stdlib.h> // free
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // allocate, die_usage
-
-// The published filter of 7 taps.
-enum { BINOMIAL_RADIUS = 3 };
-
-const Option blur_options[] = {
-    {.name = "blur",
-     .kind = OPTION_CHOICE,
-     .offset = offsetof(BlurSettings, kernel),
-     .choices = "none,box,gaussian,binomial",
-     .help = "the filter's kernel; the binomial one is 7 texels wide"},
-    {.name = "radius",
-     .kind = OPTION_INTEGER,
-     .offset = offsetof(BlurSettings, radius),
-     .minimum = 0,
-     .maximum = 1024,
-     .argument = "N",
-     .help = "the filter is 2 N + 1 texels wide, of the map it runs on"},
-    {.name = "downsample",
-     .kind = OPTION_INTEGER,
-     .offset = offsetof(BlurSettings, downsample),
-     .minimum = 1,
-     .maximum = 16,
-     .argument = "N",
-     .help = "average N x N texels into one before the blur"},
-    {0},
-};
-
-BlurSettings blur_settings(void)
-{
-    return (BlurSettings){.kernel = "box", .radius = 3, .downsample = 1};
-}
-
-static int used_radius(const BlurSettings *settings)
-{
-    return strcmp(settings->kernel, "none") == 0 ? 0 : settings->radius;
-}
-
-void blur_settings_check(const BlurSettings *settings, const int map_size[2],
-                         const OptionTable tables[])
-{
-    if (used_radius(settings) == 0 && settings->radius > 0 &&
-        options_given(tables, "radius")) {
-        die_usage("--radius %d contradicts --blur none: drop one of them",
-                  settings->radius);
-    }
-    if (strcmp(settings->kernel, "binomial") == 0 &&
-        settings->radius != BINOMIAL_RADIUS) {
-        die_usage("--radius %d contradicts --blur binomial, whose radius is "
-                  "%d: drop one of them",
-                  settings->radius, BINOMIAL_RADIUS);
-    }
-    for (int axis = 0; axis < 2; axis++) {
-        int side = map_size[axis] / settings->downsample;
-        if (map_size[axis] % settings->downsample != 0) {
-            die_usage("--downsample %d does not divide --map-size %dx%d",
-                      settings->downsample, map_size[0], map_size[1]);
-        }
-        if (used_radius(settings) > 0 && 2 * used_radius(settings) + 1 > side) {
-            die_usage("--radius %d is wider than the map: at %d texels "
-                      "allowed are 0 to %d",
-                      settings->radius, side, (side - 1) / 2);
-        }
-    }
-}
-
-int blur_reach(const BlurSettings *settings)
-{
-    return (used_radius(settings) + 1) * settings->downsample;
-}
+#include "step1_shadowmap/base/die.h" // allocate
 
 static BlurTarget create_target(Blur *blur, GLenum format)
 {
@@ -139,12 +70,14 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
                  const ShadowMap *moments, GLenum format)
 {
     Blur blur = {.factor = settings->downsample,
-                 .radius = used_radius(settings),
+                 .radius = blur_used_radius(settings),
+                 .anisotropy = settings->anisotropy,
                  .width = moments->width / settings->downsample,
                  .height = moments->height / settings->downsample,
                  .layers = moments->layers};
     glGenVertexArrays(1, &blur.empty_vao);
-    if (blur.factor > 1) {
+    // A chain needs a texture of its own, and the moments' is not ours.
+    if (blur.factor > 1 || (settings->mips && blur.radius == 0)) {
         blur.downsample_program =
             create_program(files, "step4_blur/shaders/downsample.frag");
         blur.small = create_target(&blur, format);
@@ -155,6 +88,13 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
         blur.weights = create_weights(settings);
         blur.horizontal = create_target(&blur, format);
         blur.vertical = create_target(&blur, format);
+    }
+    if (settings->mips) {
+        const int size[2] = {blur.width, blur.height};
+        const BlurTarget *last = blur.radius > 0 ? &blur.vertical : &blur.small;
+        blur.mips =
+            mips_create(files, last->texture, format, size, blur.layers);
+        blur.bytes += blur.mips.bytes;
     }
     return blur;
 }
@@ -201,7 +141,7 @@ GLuint blur_apply(const Blur *blur, const ShadowMap *moments)
     GLuint result = moments->texture;
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, blur->width, blur->height);
-    if (blur->factor > 1) {
+    if (blur->downsample_program.id != 0) {
         downsample(blur, result);
         result = blur->small.texture;
     }
@@ -209,13 +149,17 @@ GLuint blur_apply(const Blur *blur, const ShadowMap *moments)
         blur_axes(blur, result);
         result = blur->vertical.texture;
     }
+    if (blur->mips.levels > 0) {
+        mips_apply(&blur->mips, result, blur->empty_vao);
+    }
     return result;
 }
 
 bool blur_reload(Blur *blur)
 {
     return gl_program_reload(&blur->downsample_program) &&
-           gl_program_reload(&blur->blur_program);
+           gl_program_reload(&blur->blur_program) &&
+           gl_program_reload(&blur->mips.program);
 }
 
 static void destroy_target(const Blur *blur, BlurTarget *target)
@@ -227,6 +171,7 @@ static void destroy_target(const Blur *blur, BlurTarget *target)
 void blur_destroy(Blur *blur)
 {
     // The name 0, of what was never created, is ignored.
+    mips_destroy(&blur->mips);
     destroy_target(blur, &blur->vertical);
     destroy_target(blur, &blur->horizontal);
     destroy_target(blur, &blur->small);

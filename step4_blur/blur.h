@@ -4,11 +4,14 @@
 
 #include "step1_shadowmap/base/options.h" // Option
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
+#include "step4_blur/mips.h"              // Mips
 
 typedef struct BlurSettings {
     const char *kernel; // none, box, gaussian or binomial
     int radius;         // texels of the downsampled map
     int downsample;     // factor along each axis
+    bool mips;          // a mip-map chain of the result
+    int anisotropy;     // most lookups for one pixel; with mips
 } BlurSettings;
 
 extern const Option blur_options[];
@@ -21,8 +24,12 @@ BlurSettings blur_settings(void);
 // triangle; for radius 3 it is 1 6 15 20 15 6 1, over 64).
 void blur_weights(const char *name, int radius, float weights[]);
 
-// Refuses (status 2) a radius that contradicts the kernel or is wider than
-// the map, and a factor that does not divide the map.
+// The radius of the kernel, 0 where there is none.
+int blur_used_radius(const BlurSettings *settings);
+
+// Refuses (status 2) options that contradict each other, a radius that
+// contradicts the kernel or is wider than the map, and a factor that does not
+// divide the map.
 void blur_settings_check(const BlurSettings *settings, const int map_size[2],
                          const OptionTable tables[]);
 
@@ -36,14 +43,16 @@ typedef struct BlurTarget {
 } BlurTarget;
 
 typedef struct Blur {
-    Program downsample_program; // none where the factor is 1
+    Program downsample_program; // none where there is no small map
     Program blur_program;       // none where the radius is 0
     GLuint weights;             // 1D kernel, 2 radius + 1 texels
     GLuint empty_vao;
-    BlurTarget small;      // downsampled
+    BlurTarget small;      // downsampled; with mips alone: copied
     BlurTarget horizontal; // blurred along u
     BlurTarget vertical;   // then along v
+    Mips mips;             // of the texture that blur_apply returns
     int factor, radius;
+    int anisotropy;
     int width, height, layers; // of the result
     size_t bytes;              // of the textures that the filter needs
 } Blur;
@@ -54,6 +63,21 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
 // Filters every layer and returns the texture that holds the result: the
 // moments themselves where there is nothing to do.
 GLuint blur_apply(const Blur *blur, const ShadowMap *moments);
+
+enum { BLUR_MAX_SHADERS = 6 };
+
+// The shader files of a picture that looks the result up: those that define
+// vec2 moments_at(Receiver), then `visibility`, which uses it, then NULL. What
+// was not asked for is not among them. Up to BLUR_MAX_SHADERS with the NULL.
+void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
+                          const char *files[]);
+
+// Sets the uniforms of these files.
+void blur_set_lookup(const Blur *blur, GLuint program);
+
+// Writes the result of blur_apply, layer L as directory/blurred.L.exr; see
+// mips_dump for the rest.
+void blur_dump(const Blur *blur, GLuint filtered, const char *directory);
 
 // Compiles the shaders again; see gl_program_reload.
 bool blur_reload(Blur *blur);

@@ -47,9 +47,10 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
-    static const char *const visibility[] = {
-        "step1_shadowmap/shaders/bias.glsl", "step3_moments/shaders/mean.glsl",
-        NULL};
+    const char *visibility[BLUR_MAX_SHADERS + 1] = {
+        "step1_shadowmap/shaders/bias.glsl"};
+    blur_picture_shaders(&state.blur, "step3_moments/shaders/mean.glsl",
+                         &visibility[1]);
     scene_create(&state.scene, state.base.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
@@ -70,6 +71,7 @@ static void draw_frame(void)
     state.filtered = blur_apply(&state.filter, &state.map);
     stopwatch_lap(&state.stopwatch, "blur");
     bias_apply(&state.bias, state.picture.program.id);
+    blur_set_lookup(&state.filter, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");
@@ -87,9 +89,7 @@ static void write_files(void)
                          .map_bytes = state.map.bytes + state.filter.bytes};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
-        dump_layers(state.base.dump, "blurred", state.filtered,
-                    state.filter.width, state.filter.height,
-                    state.filter.layers, 2);
+        blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(state.base.dump, &run);
     }

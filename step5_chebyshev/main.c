@@ -48,9 +48,10 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
-    const char *const visibility[] = {
-        chebyshev_reduction_shader(&state.chebyshev),
-        "step5_chebyshev/shaders/chebyshev.glsl", NULL};
+    const char *visibility[BLUR_MAX_SHADERS + 1] = {
+        chebyshev_reduction_shader(&state.chebyshev)};
+    blur_picture_shaders(&state.blur, "step5_chebyshev/shaders/chebyshev.glsl",
+                         &visibility[1]);
     scene_create(&state.scene, state.base.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
@@ -72,6 +73,7 @@ static void draw_frame(void)
     stopwatch_lap(&state.stopwatch, "blur");
     chebyshev_apply(&state.chebyshev, moments_format(&state.moments),
                     state.picture.program.id);
+    blur_set_lookup(&state.filter, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");
@@ -89,9 +91,7 @@ static void write_files(void)
                          .map_bytes = state.map.bytes + state.filter.bytes};
         dump_layers(state.base.dump, "moments", state.map.texture,
                     state.map.width, state.map.height, state.map.layers, 2);
-        dump_layers(state.base.dump, "blurred", state.filtered,
-                    state.filter.width, state.filter.height,
-                    state.filter.layers, 2);
+        blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(state.base.dump, &run);
     }

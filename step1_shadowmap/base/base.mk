@@ -22,6 +22,8 @@ base := \
     step1_shadowmap/shaders/fullscreen.vert \
     step1_shadowmap/shaders/legend.frag \
     step1_shadowmap/shaders/dump.glsl \
+    step1_shadowmap/shaders/footprint.glsl \
+    step1_shadowmap/shaders/footprint_nothing.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \
     step1_shadowmap/base/window.h step1_shadowmap/base/window.c \
     step1_shadowmap/shaders/present.frag \

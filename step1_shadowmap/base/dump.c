@@ -23,7 +23,8 @@ void dump_layers(const char *directory, const char *name, GLuint texture,
     for (int layer = 0; layer < layers; layer++) {
         char layer_name[64];
         snprintf(layer_name, sizeof layer_name, "%s.%d", name, layer);
-        float *texels = gl_read_layer(texture, layer, width, height, channels);
+        float *texels =
+            gl_read_layer(texture, 0, layer, width, height, channels);
         dump_image(directory, layer_name, texels, width, height, channels);
         free(texels);
     }

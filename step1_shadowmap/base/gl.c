@@ -320,6 +320,17 @@ GLuint gl_layer_framebuffer(GLuint texture, int layer, GLuint depth_buffer)
     return framebuffer;
 }
 
+GLuint gl_level_framebuffer(GLuint texture, int level, int layer)
+{
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture,
+                              level, layer);
+    gl_check_framebuffer("of a map's mip-map level");
+    return framebuffer;
+}
+
 GLuint gl_depth_buffer(int width, int height)
 {
     GLuint buffer;
@@ -350,10 +361,10 @@ float *gl_read(GLuint framebuffer, int attachment, int width, int height,
     return values;
 }
 
-float *gl_read_layer(GLuint texture, int layer, int width, int height,
-                     int channels)
+float *gl_read_layer(GLuint texture, int level, int layer, int width,
+                     int height, int channels)
 {
-    GLuint framebuffer = gl_layer_framebuffer(texture, layer, 0);
+    GLuint framebuffer = gl_level_framebuffer(texture, level, layer);
     float *values = gl_read(framebuffer, 0, width, height, channels);
     glDeleteFramebuffers(1, &framebuffer);
     return values;

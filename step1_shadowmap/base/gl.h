@@ -22,7 +22,7 @@ typedef struct ShaderFiles {
     const char *directory;
 } ShaderFiles;
 
-enum { PROGRAM_MAX_FILES = 12 };
+enum { PROGRAM_MAX_FILES = 16 };
 
 // A program, and the files that it is made of: names that stay valid, NULL
 // after the last.
@@ -64,6 +64,9 @@ GLuint gl_texture(GLenum format, int width, int height);
 // a renderbuffer or 0.
 GLuint gl_layer_framebuffer(GLuint texture, int layer, GLuint depth_buffer);
 
+// The same for one mip-map level, without depth.
+GLuint gl_level_framebuffer(GLuint texture, int level, int layer);
+
 // A renderbuffer of 32-bit float depth.
 GLuint gl_depth_buffer(int width, int height);
 
@@ -75,9 +78,10 @@ void gl_check_framebuffer(const char *what);
 float *gl_read(GLuint framebuffer, int attachment, int width, int height,
                int channels);
 
-// The same for one layer of an array texture.
-float *gl_read_layer(GLuint texture, int layer, int width, int height,
-                     int channels);
+// The same for one layer of a mip-map level of an array texture; width and
+// height are the level's.
+float *gl_read_layer(GLuint texture, int level, int layer, int width,
+                     int height, int channels);
 
 // One triangle that covers the viewport, without any vertex data.
 void gl_draw_fullscreen(GLuint empty_vao);

@@ -7,7 +7,9 @@
 #include "step1_shadowmap/base/dump.h"  // dump_image
 #include "step1_shadowmap/base/image.h" // image_write
 
-enum { MAX_FILES = 12 };
+enum { MAX_FILES = PROGRAM_MAX_FILES };
+
+const char scene_draw_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
 
 // What the fragment shader writes, in the order of its output locations.
 static const struct {
@@ -21,11 +23,30 @@ static const struct {
     {"position", GL_RGBA32F, 3, {0, 0, 0, 0}},
     {"normal", GL_RGBA32F, 3, {0, 0, 0, 0}},
     {"visibility", GL_R32F, 1, {1, 1, 1, 1}},
+    {"footprint", GL_RGBA32F, 4, {0, 0, 0, 0}}, // last: not always there
 };
 
 static const GLenum draw_buffers[SCENE_DRAW_OUTPUTS] = {
     GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-    GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
+    GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5};
+
+static bool uses_footprint(const char *const visibility[])
+{
+    bool found = false;
+    for (int i = 0; visibility[i] != NULL; i++) {
+        found = found || strcmp(visibility[i], scene_draw_footprint) == 0;
+    }
+    return found;
+}
+
+static int count_outputs(const BaseSettings *settings,
+                         const char *const visibility[])
+{
+    if (settings->dump == NULL) {
+        return 1;
+    }
+    return SCENE_DRAW_OUTPUTS - (uses_footprint(visibility) ? 0 : 1);
+}
 
 static Program create_program(const BaseSettings *settings,
                               const char *const visibility[])
@@ -37,7 +58,7 @@ static Program create_program(const BaseSettings *settings,
         "step1_shadowmap/shaders/map_coordinates.glsl"};
     int count = 1;
     for (int i = 0; visibility[i] != NULL; i++) {
-        if (count + 5 > MAX_FILES) {
+        if (count + 6 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
         }
         fragment[count++] = visibility[i];
@@ -46,6 +67,9 @@ static Program create_program(const BaseSettings *settings,
         fragment[count++] = mode->scale;
     }
     fragment[count++] = mode->shader;
+    if (settings->dump != NULL && !uses_footprint(visibility)) {
+        fragment[count++] = "step1_shadowmap/shaders/footprint_nothing.glsl";
+    }
     fragment[count++] = settings->dump == NULL
                             ? "step1_shadowmap/shaders/dump_nothing.glsl"
                             : "step1_shadowmap/shaders/dump.glsl";
@@ -75,8 +99,7 @@ SceneDraw scene_draw_create(const BaseSettings *settings,
     gl_check_size("size", settings->size[0], settings->size[1]);
     SceneDraw draw = {.width = settings->size[0],
                       .height = settings->size[1],
-                      .output_count =
-                          settings->dump == NULL ? 1 : SCENE_DRAW_OUTPUTS};
+                      .output_count = count_outputs(settings, visibility)};
     draw.program = create_program(settings, visibility);
     draw.shaded = strcmp(settings->show, "shaded") == 0;
     draw.legend =

@@ -7,7 +7,11 @@
 #include "step1_shadowmap/base/settings.h" // BaseSettings
 #include "step1_shadowmap/base/view.h"     // Views
 
-enum { SCENE_DRAW_OUTPUTS = 5 };
+enum { SCENE_DRAW_OUTPUTS = 6 };
+
+// The shader file with vec4 footprint(Receiver), for a visibility() that needs
+// to know how far apart the pixels are in the map.
+extern const char scene_draw_footprint[];
 
 typedef struct SceneDraw {
     Program program;
@@ -37,7 +41,8 @@ bool scene_draw_reload(SceneDraw *draw);
 void scene_draw_write(const SceneDraw *draw, const char *path);
 
 // Writes receiver, position, normal, visibility and image (.exr) into the
-// directory; needs a SceneDraw made with --dump.
+// directory, and footprint where the list has scene_draw_footprint; needs a
+// SceneDraw made with --dump.
 void scene_draw_dump(const SceneDraw *draw, const char *directory);
 
 void scene_draw_destroy(SceneDraw *draw);

@@ -5,7 +5,6 @@ uniform vec3 radiance;  // of the light, linear RGB
 uniform vec3 ambient;   // from everywhere else, linear RGB
 uniform vec3 to_light;  // unit, in the world's axes
 
-in vec3 relative_position;
 in vec3 surface_normal;
 
 layout(location = 0) out vec4 color;

@@ -3,6 +3,5 @@
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {
-    return scale_color(
-        texture(shadow_map, vec3(receiver.uv, float(receiver.layer))).r);
+    return scale_color(moments_at(receiver).x);
 }

@@ -1,7 +1,5 @@
 // Step 5: Donnelly, Lauritzen, Variance shadow maps, I3D 2006.
 
-uniform sampler2DArray shadow_map;  // red, green: moments M1, M2 of the depth
-
 uniform float min_variance;        // of the squared depth range
 uniform float min_variance_of_m2;  // of M2: what rounding M2 can hide
 uniform float variance_bias;       // added to every variance, likewise
@@ -21,7 +19,5 @@ float chebyshev(vec2 moments, float t)
 
 float visibility(Receiver receiver)
 {
-    vec2 moments =
-        texture(shadow_map, vec3(receiver.uv, float(receiver.layer))).rg;
-    return reduce_bleeding(chebyshev(moments, receiver.depth));
+    return reduce_bleeding(chebyshev(moments_at(receiver), receiver.depth));
 }

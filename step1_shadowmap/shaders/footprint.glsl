@@ -1,0 +1,19 @@
+// How far apart neighbouring pixels are in the map.
+
+// A derivative has no value in a branch that a neighbour may not take, so both
+// are taken here, before main() begins.
+vec3 to_right = dFdx(relative_position);
+vec3 to_above = dFdy(relative_position);
+
+// How u and v change from this pixel to the next ones: du/dx, dv/dx, du/dy,
+// dv/dy. From the position, not from u and v: a neighbour may lie in another
+// layer. u and v are quotients by w, which is 1 for a parallel light.
+vec4 footprint(Receiver receiver)
+{
+    mat4 m = map_from_relative[receiver.layer];
+    float w = (m * vec4(relative_position, 1.0)).w;
+    vec4 right = m * vec4(to_right, 0.0);
+    vec4 above = m * vec4(to_above, 0.0);
+    return vec4(right.xy - receiver.uv * right.w,
+                above.xy - receiver.uv * above.w) / w;
+}

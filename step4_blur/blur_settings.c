@@ -1,0 +1,106 @@
+#include "step4_blur/blur.h"
+
+#include <string.h> // strcmp
+
+#include "step1_shadowmap/base/die.h" // die_usage
+
+// The published filter of 7 taps.
+enum { BINOMIAL_RADIUS = 3 };
+
+const Option blur_options[] = {
+    {.name = "blur",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BlurSettings, kernel),
+     .choices = "none,box,gaussian,binomial",
+     .help = "the filter's kernel; the binomial one is 7 texels wide"},
+    {.name = "radius",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BlurSettings, radius),
+     .minimum = 0,
+     .maximum = 1024,
+     .argument = "N",
+     .help = "the filter is 2 N + 1 texels wide, of the map it runs on"},
+    {.name = "downsample",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BlurSettings, downsample),
+     .minimum = 1,
+     .maximum = 16,
+     .argument = "N",
+     .help = "average N x N texels into one before the blur"},
+    {.name = "mips",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BlurSettings, mips),
+     .help = "a mip-map chain of the filtered map; each pixel looks up the "
+             "level of its own size"},
+    {.name = "anisotropy",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BlurSettings, anisotropy),
+     .minimum = 1,
+     .maximum = 16,
+     .argument = "N",
+     .help = "with --mips: up to N lookups along the pixel's longer axis in "
+             "the map"},
+    {0},
+};
+
+BlurSettings blur_settings(void)
+{
+    return (BlurSettings){.kernel = "box", .radius = 3, .downsample = 1, .anisotropy = 1};
+}
+
+int blur_used_radius(const BlurSettings *settings)
+{
+    return strcmp(settings->kernel, "none") == 0 ? 0 : settings->radius;
+}
+
+// What says how the map is looked up.
+static void check_lookup(const BlurSettings *settings, const int map_size[2],
+                         const OptionTable tables[])
+{
+    if (options_given(tables, "anisotropy") && !settings->mips) {
+        die_usage("--anisotropy %d needs --mips: add --mips or drop "
+                  "--anisotropy",
+                  settings->anisotropy);
+    }
+    int width = map_size[0] / settings->downsample;
+    int height = map_size[1] / settings->downsample;
+    if (settings->mips && (width % 2 != 0 || height % 2 != 0)) {
+        die_usage("--mips cannot halve a map of %dx%d texels: give an even "
+                  "--map-size or drop --mips",
+                  width, height);
+    }
+}
+
+void blur_settings_check(const BlurSettings *settings, const int map_size[2],
+                         const OptionTable tables[])
+{
+    if (blur_used_radius(settings) == 0 && settings->radius > 0 &&
+        options_given(tables, "radius")) {
+        die_usage("--radius %d contradicts --blur none: drop one of them",
+                  settings->radius);
+    }
+    if (strcmp(settings->kernel, "binomial") == 0 &&
+        settings->radius != BINOMIAL_RADIUS) {
+        die_usage("--radius %d contradicts --blur binomial, whose radius is "
+                  "%d: drop one of them",
+                  settings->radius, BINOMIAL_RADIUS);
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        int side = map_size[axis] / settings->downsample;
+        if (map_size[axis] % settings->downsample != 0) {
+            die_usage("--downsample %d does not divide --map-size %dx%d",
+                      settings->downsample, map_size[0], map_size[1]);
+        }
+        if (blur_used_radius(settings) > 0 && 2 * blur_used_radius(settings) + 1 > side) {
+            die_usage("--radius %d is wider than the map: at %d texels "
+                      "allowed are 0 to %d",
+                      settings->radius, side, (side - 1) / 2);
+        }
+    }
+    check_lookup(settings, map_size, tables);
+}
+
+int blur_reach(const BlurSettings *settings)
+{
+    return (blur_used_radius(settings) + 1) * settings->downsample;
+}

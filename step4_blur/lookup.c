@@ -1,0 +1,51 @@
+// How the picture looks the filtered map up.
+#include "step4_blur/blur.h"
+
+#include "step1_shadowmap/base/dump.h"       // dump_layers
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw_footprint
+
+static const char *const bilinear[] = {
+    "step3_moments/shaders/lookup_bilinear.glsl", NULL};
+static const char *const trilinear[] = {
+    scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
+    "step4_blur/shaders/lookup_trilinear.glsl", NULL};
+static const char *const anisotropic[] = {
+    scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
+    "step4_blur/shaders/lookup_anisotropic.glsl", NULL};
+
+static const char *const *lookup(const BlurSettings *settings)
+{
+    if (settings->mips) {
+        return settings->anisotropy > 1 ? anisotropic : trilinear;
+    }
+    return bilinear;
+}
+
+void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
+                          const char *files[])
+{
+    const char *const *from = lookup(settings);
+    while (*from != NULL) {
+        *files++ = *from++;
+    }
+    *files++ = visibility;
+    *files = NULL;
+}
+
+void blur_set_lookup(const Blur *blur, GLuint program)
+{
+    glUseProgram(program);
+    if (blur->mips.levels > 0) {
+        glUniform1i(glGetUniformLocation(program, "last_level"),
+                    blur->mips.levels - 1);
+        glUniform1i(glGetUniformLocation(program, "anisotropy"),
+                    blur->anisotropy);
+    }
+}
+
+void blur_dump(const Blur *blur, GLuint filtered, const char *directory)
+{
+    dump_layers(directory, "blurred", filtered, blur->width, blur->height,
+                blur->layers, 2);
+    mips_dump(&blur->mips, filtered, directory);
+}

@@ -1,0 +1,98 @@
+#include "step4_blur/mips.h"
+
+#include <stdio.h>  // snprintf
+#include <stdlib.h> // free
+
+#include "step1_shadowmap/base/dump.h" // dump_image
+
+static void add_levels(Mips *mips, GLenum format)
+{
+    size_t texel = gl_texel_bytes(format);
+    int width = mips->width, height = mips->height;
+    mips->levels = 1;
+    while (width % 2 == 0 && height % 2 == 0 &&
+           mips->levels < MIPS_MAX_LEVELS) {
+        width /= 2;
+        height /= 2;
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, mips->levels++, (GLint)format, width,
+                     height, mips->layers, 0, GL_RED, GL_FLOAT, NULL);
+        mips->bytes +=
+            texel * (size_t)width * (size_t)height * (size_t)mips->layers;
+    }
+}
+
+// Makes only these levels readable. While one level is drawn, none but the
+// level before it may be: reading what is being drawn has no defined result.
+static void limit_levels(int first, int last)
+{
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, first);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, last);
+}
+
+Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
+                 const int size[2], int layers)
+{
+    static const char *const vertex[] = {
+        "step1_shadowmap/shaders/fullscreen.vert", NULL};
+    static const char *const fragment[] = {
+        "step4_blur/shaders/map_texel.glsl", "step4_blur/shaders/mips.frag",
+        NULL};
+    Mips mips = {.width = size[0], .height = size[1], .layers = layers};
+    mips.program = gl_program(files, vertex, fragment);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    add_levels(&mips, format);
+    // The lookup blends the levels itself.
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
+                    GL_LINEAR_MIPMAP_NEAREST);
+    limit_levels(0, mips.levels - 1);
+    for (int level = 1; level < mips.levels; level++) {
+        for (int layer = 0; layer < layers; layer++) {
+            mips.framebuffers[level][layer] =
+                gl_level_framebuffer(texture, level, layer);
+        }
+    }
+    return mips;
+}
+
+void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao)
+{
+    GLuint program = mips->program.id;
+    glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "map"), 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    for (int level = 1; level < mips->levels; level++) {
+        limit_levels(level - 1, level - 1);
+        glViewport(0, 0, mips->width >> level, mips->height >> level);
+        for (int layer = 0; layer < mips->layers; layer++) {
+            glBindFramebuffer(GL_FRAMEBUFFER, mips->framebuffers[level][layer]);
+            glUniform1i(glGetUniformLocation(program, "layer"), layer);
+            gl_draw_fullscreen(empty_vao);
+        }
+    }
+    limit_levels(0, mips->levels - 1);
+}
+
+void mips_dump(const Mips *mips, GLuint texture, const char *directory)
+{
+    for (int level = 1; level < mips->levels; level++) {
+        int width = mips->width >> level, height = mips->height >> level;
+        for (int layer = 0; layer < mips->layers; layer++) {
+            char name[64];
+            snprintf(name, sizeof name, "blurred.%d.m%d", layer, level);
+            float *texels =
+                gl_read_layer(texture, level, layer, width, height, 2);
+            dump_image(directory, name, texels, width, height, 2);
+            free(texels);
+        }
+    }
+}
+
+void mips_destroy(Mips *mips)
+{
+    for (int level = 1; level < mips->levels; level++) {
+        glDeleteFramebuffers(mips->layers, mips->framebuffers[level]);
+    }
+    gl_program_destroy(&mips->program);
+    *mips = (Mips){.levels = 0};
+}

@@ -1,0 +1,34 @@
+// Step 4, --mips: coarser copies of the filtered map, for pixels that cover
+// many of its texels.
+#ifndef STEP4_MIPS_H
+#define STEP4_MIPS_H
+
+#include "step1_shadowmap/base/gl.h"   // Program
+#include "step1_shadowmap/base/view.h" // VIEW_MAX_LAYERS
+
+enum { MIPS_MAX_LEVELS = 16 };
+
+// The levels of a texture that somebody else owns, level 0 among them.
+typedef struct Mips {
+    Program program;
+    GLuint framebuffers[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS]; // none for level 0
+    int width, height, layers;                             // of level 0
+    int levels; // 0: there is no chain
+    size_t bytes;
+} Mips;
+
+// Adds the levels to an array texture. Each is half as wide and high as the
+// one before; the last is the one that cannot be halved without a rest, for a
+// texel that began elsewhere than two finer ones would shift the shadows.
+Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
+                 const int size[2], int layers);
+
+// Fills levels 1 and on, each from the one before.
+void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao);
+
+// Writes level K >= 1 of layer L as directory/blurred.L.mK.exr.
+void mips_dump(const Mips *mips, GLuint texture, const char *directory);
+
+void mips_destroy(Mips *mips);
+
+#endif
