@@ -70,11 +70,12 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
                  const ShadowMap *moments, GLenum format)
 {
     Blur blur = {.factor = settings->downsample,
-                 .radius = blur_used_radius(settings),
+                 .radius = settings->sat ? 0 : blur_used_radius(settings),
                  .anisotropy = settings->anisotropy,
                  .width = moments->width / settings->downsample,
                  .height = moments->height / settings->downsample,
                  .layers = moments->layers};
+    const int size[2] = {blur.width, blur.height};
     glGenVertexArrays(1, &blur.empty_vao);
     // A chain needs a texture of its own, and the moments' is not ours.
     if (blur.factor > 1 || (settings->mips && blur.radius == 0)) {
@@ -90,11 +91,15 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
         blur.vertical = create_target(&blur, format);
     }
     if (settings->mips) {
-        const int size[2] = {blur.width, blur.height};
         const BlurTarget *last = blur.radius > 0 ? &blur.vertical : &blur.small;
         blur.mips =
             mips_create(files, last->texture, format, size, blur.layers);
         blur.bytes += blur.mips.bytes;
+    }
+    if (settings->sat) {
+        blur.sat =
+            sat_create(files, size, blur.layers, blur_used_radius(settings));
+        blur.bytes += blur.sat.bytes;
     }
     return blur;
 }
@@ -152,6 +157,9 @@ GLuint blur_apply(const Blur *blur, const ShadowMap *moments)
     if (blur->mips.levels > 0) {
         mips_apply(&blur->mips, result, blur->empty_vao);
     }
+    if (blur->sat.start_program.id != 0) {
+        result = sat_apply(&blur->sat, result, blur->empty_vao);
+    }
     return result;
 }
 
@@ -159,7 +167,7 @@ bool blur_reload(Blur *blur)
 {
     return gl_program_reload(&blur->downsample_program) &&
            gl_program_reload(&blur->blur_program) &&
-           gl_program_reload(&blur->mips.program);
+           gl_program_reload(&blur->mips.program) && sat_reload(&blur->sat);
 }
 
 static void destroy_target(const Blur *blur, BlurTarget *target)
@@ -171,6 +179,7 @@ static void destroy_target(const Blur *blur, BlurTarget *target)
 void blur_destroy(Blur *blur)
 {
     // The name 0, of what was never created, is ignored.
+    sat_destroy(&blur->sat);
     mips_destroy(&blur->mips);
     destroy_target(blur, &blur->vertical);
     destroy_target(blur, &blur->horizontal);

@@ -5,6 +5,7 @@
 #include "step1_shadowmap/base/options.h" // Option
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
 #include "step4_blur/mips.h"              // Mips
+#include "step4_blur/sat.h"               // Sat
 
 typedef struct BlurSettings {
     const char *kernel; // none, box, gaussian or binomial
@@ -12,6 +13,7 @@ typedef struct BlurSettings {
     int downsample;     // factor along each axis
     bool mips;          // a mip-map chain of the result
     int anisotropy;     // most lookups for one pixel; with mips
+    bool sat;           // the box from a summed-area table
 } BlurSettings;
 
 extern const Option blur_options[];
@@ -51,6 +53,7 @@ typedef struct Blur {
     BlurTarget horizontal; // blurred along u
     BlurTarget vertical;   // then along v
     Mips mips;             // of the texture that blur_apply returns
+    Sat sat;               // in place of the blur
     int factor, radius;
     int anisotropy;
     int width, height, layers; // of the result

@@ -40,12 +40,17 @@ const Option blur_options[] = {
      .argument = "N",
      .help = "with --mips: up to N lookups along the pixel's longer axis in "
              "the map"},
+    {.name = "sat",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BlurSettings, sat),
+     .help = "average the box from a summed-area table, in constant time"},
     {0},
 };
 
 BlurSettings blur_settings(void)
 {
-    return (BlurSettings){.kernel = "box", .radius = 3, .downsample = 1, .anisotropy = 1};
+    return (BlurSettings){
+        .kernel = "box", .radius = 3, .downsample = 1, .anisotropy = 1};
 }
 
 int blur_used_radius(const BlurSettings *settings)
@@ -61,6 +66,13 @@ static void check_lookup(const BlurSettings *settings, const int map_size[2],
         die_usage("--anisotropy %d needs --mips: add --mips or drop "
                   "--anisotropy",
                   settings->anisotropy);
+    }
+    if (settings->sat && settings->mips) {
+        die_usage("--sat contradicts --mips: drop one of them");
+    }
+    if (settings->sat && strcmp(settings->kernel, "box") != 0) {
+        die_usage("--sat averages a box, not --blur %s: drop one of them",
+                  settings->kernel);
     }
     int width = map_size[0] / settings->downsample;
     int height = map_size[1] / settings->downsample;
@@ -91,7 +103,8 @@ void blur_settings_check(const BlurSettings *settings, const int map_size[2],
             die_usage("--downsample %d does not divide --map-size %dx%d",
                       settings->downsample, map_size[0], map_size[1]);
         }
-        if (blur_used_radius(settings) > 0 && 2 * blur_used_radius(settings) + 1 > side) {
+        if (blur_used_radius(settings) > 0 &&
+            2 * blur_used_radius(settings) + 1 > side) {
             die_usage("--radius %d is wider than the map: at %d texels "
                       "allowed are 0 to %d",
                       settings->radius, side, (side - 1) / 2);

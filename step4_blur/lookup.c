@@ -12,13 +12,15 @@ static const char *const trilinear[] = {
 static const char *const anisotropic[] = {
     scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_anisotropic.glsl", NULL};
+static const char *const box[] = {"step4_blur/shaders/sat_box.glsl",
+                                  "step4_blur/shaders/lookup_sat.glsl", NULL};
 
 static const char *const *lookup(const BlurSettings *settings)
 {
     if (settings->mips) {
         return settings->anisotropy > 1 ? anisotropic : trilinear;
     }
-    return bilinear;
+    return settings->sat ? box : bilinear;
 }
 
 void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
@@ -41,10 +43,17 @@ void blur_set_lookup(const Blur *blur, GLuint program)
         glUniform1i(glGetUniformLocation(program, "anisotropy"),
                     blur->anisotropy);
     }
+    if (blur->sat.start_program.id != 0) {
+        sat_set_lookup(&blur->sat, program);
+    }
 }
 
 void blur_dump(const Blur *blur, GLuint filtered, const char *directory)
 {
+    if (blur->sat.start_program.id != 0) {
+        sat_dump(&blur->sat, filtered, blur->empty_vao, directory);
+        return;
+    }
     dump_layers(directory, "blurred", filtered, blur->width, blur->height,
                 blur->layers, 2);
     mips_dump(&blur->mips, filtered, directory);

@@ -34,9 +34,9 @@ Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
 {
     static const char *const vertex[] = {
         "step1_shadowmap/shaders/fullscreen.vert", NULL};
-    static const char *const fragment[] = {
-        "step4_blur/shaders/map_texel.glsl", "step4_blur/shaders/mips.frag",
-        NULL};
+    static const char *const fragment[] = {"step4_blur/shaders/map_texel.glsl",
+                                           "step4_blur/shaders/mips.frag",
+                                           NULL};
     Mips mips = {.width = size[0], .height = size[1], .layers = layers};
     mips.program = gl_program(files, vertex, fragment);
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture);

@@ -1,7 +1,7 @@
 #include "tests/oracle/chebyshev_bound.h"
 
 #include <algorithm> // clamp, max, min
-#include <cmath>     // pow
+#include <cmath>     // exp2, floor, log2, pow
 
 #include "tests/oracle/rounding.h"
 
@@ -101,7 +101,17 @@ double blur_share(const Settings &settings)
 
 double blur_absolute(const Settings &settings)
 {
-    return blur_stores(settings) * store_absolute(settings);
+    return blur_stores(settings) * store_absolute(settings) +
+           table_absolute(settings);
+}
+
+double table_absolute(const Settings &settings)
+{
+    if (!settings.sat)
+        return 0;
+    double n = 2 * settings.radius + 1;
+    double steps = std::exp2(std::floor(std::log2(0xffffffffu / (n * n))));
+    return 0.5 / steps + rounding_share(16);
 }
 
 double store_share(const Settings &settings)

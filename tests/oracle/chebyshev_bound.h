@@ -25,6 +25,11 @@ double blur_share(const Settings &settings);
 // The same below 2^-14, where 16-bit floats have a fixed step.
 double blur_absolute(const Settings &settings);
 
+// The same of a summed-area table: the integers that sum the texels of the box
+// must not exceed 32 bits, so a texel is rounded to a power of two of at most
+// 2^32 / n^2 steps, and a few floats of up to 1 are blended. 0 without one.
+double table_absolute(const Settings &settings);
+
 // What storing a moment may change. A 32-bit float: nothing, for it was one.
 // A 16-bit float: a whole unit of 2^-10, since some drivers truncate, and
 // 2^-24 absolute among the denormals.

@@ -45,6 +45,9 @@ static void read_blur(const json &options, Settings &settings)
     settings.downsample = options.at("downsample").get<int>();
     settings.radius = options.at("radius").get<int>();
     settings.blur = blur_of(options.at("blur").get<std::string>());
+    settings.mips = options.at("mips").get<bool>();
+    settings.anisotropy = options.at("anisotropy").get<int>();
+    settings.sat = options.at("sat").get<bool>();
     if (settings.blur == Blur::NONE)
         settings.radius = 0;
     if (settings.blur == Blur::BINOMIAL && settings.radius != 3)

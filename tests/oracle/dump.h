@@ -32,6 +32,9 @@ struct Settings {
     Blur blur = Blur::NONE;
     int radius = 0;     // texels of the downsampled map
     int downsample = 1; // map texels per downsampled texel, along an axis
+    bool mips = false;  // a chain over the filtered map
+    int anisotropy = 1; // most taps per pixel
+    bool sat = false;   // the box comes from a table of sums
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance
     double bleed_reduction = 0;

@@ -14,6 +14,7 @@
 #include "tests/oracle/files.h"
 #include "tests/oracle/lower.h"
 #include "tests/oracle/matrix.h"
+#include "tests/oracle/mip_levels.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/scene_table.h"
 #include "tests/oracle/stage.h"
@@ -44,7 +45,11 @@ static void run_stages(const Run &run, Report &report)
             check_moments(run, int(layer), report);
         if (run.step >= 4)
             check_blur(run, int(layer), report);
+        if (run.settings.mips)
+            check_mips(run, int(layer), report);
     }
+    if (run.settings.mips)
+        check_footprint(run, report);
     check_visibility(run, report);
 }
 

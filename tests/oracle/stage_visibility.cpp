@@ -4,6 +4,7 @@
 #include "tests/oracle/chebyshev_bound.h"
 #include "tests/oracle/footprint.h"
 #include "tests/oracle/light.h"
+#include "tests/oracle/mip_levels.h"
 #include "tests/oracle/rounding.h"
 #include "tests/oracle/stage.h"
 
@@ -122,24 +123,48 @@ static Interval looked_up(const Picture &map, const Receiver &r, int channel)
     return widened(value, share * largest(map, x, y, channel));
 }
 
+namespace
+{
+
+// One pixel of the picture, and what it looks up.
+struct Pixel {
+    int x, y;
+    const std::vector<Picture> &maps; // by layer
+    const MipLookup &mips;
+};
+
+} // namespace
+
+// M1 or M2 as the program may have looked it up.
+static Interval moment(const Run &run, const Receiver &r, const Pixel &pixel,
+                       int channel)
+{
+    if (run.settings.mips)
+        return pixel.mips.moment(r, pixel.x, pixel.y, channel);
+    Interval value = looked_up(pixel.maps[size_t(r.layer)], r, channel);
+    // The dumped box and the one looked up each have the table's error.
+    return widened(value, 2 * table_absolute(run.settings));
+}
+
 // The visibility of a receiver inside the map that faces the light.
 static Interval expected(const Run &run, const Receiver &r, const MapView &view,
-                         const Picture &map)
+                         const Pixel &pixel)
 {
     const Settings &settings = run.settings;
+    const Picture &map = pixel.maps[size_t(r.layer)];
     if (settings.bilinear)
         return soft_pcf(r, view, map, settings);
     if (run.step <= 2)
         return pcf(r, view, map, settings);
-    Interval m1 = looked_up(map, r, 0);
+    Interval m1 = moment(run, r, pixel, 0);
     if (run.step == 5)
-        return chebyshev(m1, looked_up(map, r, 1), r.t, settings);
+        return chebyshev(m1, moment(run, r, pixel, 1), r.t, settings);
     Interval bias = total_bias(r, view, map.width, map.height, 1, settings);
     return compared(r.t, bias, m1);
 }
 
 static Interval expected_anywhere(const Run &run, const Receiver &r,
-                                  const std::vector<Picture> &maps)
+                                  const Pixel &pixel)
 {
     if (!r.shown)
         return 1;
@@ -149,7 +174,7 @@ static Interval expected_anywhere(const Run &run, const Receiver &r,
         return 0;
     Interval lit = 1;
     if (inside_map(r))
-        lit = expected(run, r, view, maps[size_t(r.layer)]);
+        lit = expected(run, r, view, pixel);
     return side == Facing::UNKNOWN ? hull(0, lit) : lit;
 }
 
@@ -159,12 +184,13 @@ void check_visibility(const Run &run, Report &report)
     std::vector<Picture> maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)
         maps.push_back(load_filtered(run, int(layer)));
+    MipLookup mips(run);
     size_t shown = 0, untested = 0, wrong = 0;
     double worst = 0, widest = 0;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            Interval truth = expected_anywhere(run, r, maps);
+            Interval truth = expected_anywhere(run, r, {x, y, maps, mips});
             shown += r.shown ? 1 : 0;
             if (truth.width() > WIDEST) {
                 untested++;

@@ -1,0 +1,155 @@
+#include "step4_blur/sat.h"
+
+#include <stdint.h> // UINT32_MAX
+
+#include "step1_shadowmap/base/dump.h" // dump_layers
+
+// Integers cannot be filtered, so the lookup reads single texels.
+static GLuint create_table(const Sat *sat)
+{
+    GLuint texture;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, sat->width, sat->height,
+                 sat->layers, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, NULL);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
+// As many as a box's sum can hold in 32 bits when all of it is 1. A power of
+// two, by which floats are multiplied and divided without rounding.
+static GLuint count_steps(int box_width)
+{
+    double most = UINT32_MAX / ((double)box_width * box_width);
+    GLuint steps = 1;
+    while (steps <= most / 2) {
+        steps *= 2;
+    }
+    return steps;
+}
+
+static Program create_program(ShaderFiles files, const char *first,
+                              const char *second)
+{
+    const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
+    const char *fragment[] = {first, second, NULL};
+    return gl_program(files, vertex, fragment);
+}
+
+Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius)
+{
+    Sat sat = {.width = size[0],
+               .height = size[1],
+               .layers = layers,
+               .box_width = 2 * radius + 1,
+               .steps = count_steps(2 * radius + 1)};
+    sat.start_program =
+        create_program(files, "step4_blur/shaders/map_texel.glsl",
+                       "step4_blur/shaders/sat_start.frag");
+    sat.sum_program =
+        create_program(files, "step4_blur/shaders/sat_sum.frag", NULL);
+    for (int i = 0; i < 2; i++) {
+        sat.textures[i] = create_table(&sat);
+        sat.bytes += (size_t)sat.width * (size_t)sat.height * (size_t)layers *
+                     2 * sizeof(GLuint);
+        for (int layer = 0; layer < layers; layer++) {
+            sat.framebuffers[i][layer] =
+                gl_layer_framebuffer(sat.textures[i], layer, 0);
+        }
+    }
+    return sat;
+}
+
+// Draws every layer of table `target`.
+static void draw_layers(const Sat *sat, GLuint program, GLuint source,
+                        int target, GLuint empty_vao)
+{
+    glBindTexture(GL_TEXTURE_2D_ARRAY, source);
+    for (int layer = 0; layer < sat->layers; layer++) {
+        glBindFramebuffer(GL_FRAMEBUFFER, sat->framebuffers[target][layer]);
+        glUniform1i(glGetUniformLocation(program, "layer"), layer);
+        gl_draw_fullscreen(empty_vao);
+    }
+}
+
+// Sums along one axis; takes and returns the index of the newer table.
+static int sum_axis(const Sat *sat, int newer, int axis, GLuint empty_vao)
+{
+    GLuint program = sat->sum_program.id;
+    int side = axis == 0 ? sat->width : sat->height;
+    glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
+    for (int stride = 1; stride < side; stride *= 4) {
+        glUniform1i(glGetUniformLocation(program, "stride"), stride);
+        draw_layers(sat, program, sat->textures[newer], 1 - newer, empty_vao);
+        newer = 1 - newer;
+    }
+    return newer;
+}
+
+GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao)
+{
+    GLuint start = sat->start_program.id;
+    glViewport(0, 0, sat->width, sat->height);
+    glActiveTexture(GL_TEXTURE0);
+    glUseProgram(start);
+    glUniform1i(glGetUniformLocation(start, "map"), 0);
+    glUniform1ui(glGetUniformLocation(start, "steps"), sat->steps);
+    draw_layers(sat, start, map, 0, empty_vao);
+    glUseProgram(sat->sum_program.id);
+    glUniform1i(glGetUniformLocation(sat->sum_program.id, "table"), 0);
+    int newer = sum_axis(sat, 0, 0, empty_vao);
+    newer = sum_axis(sat, newer, 1, empty_vao);
+    return sat->textures[newer];
+}
+
+void sat_set_lookup(const Sat *sat, GLuint program)
+{
+    glUniform1ui(glGetUniformLocation(program, "steps"), sat->steps);
+    glUniform1f(glGetUniformLocation(program, "box_width"),
+                (float)sat->box_width);
+}
+
+void sat_dump(const Sat *sat, GLuint table, GLuint empty_vao,
+              const char *directory)
+{
+    GLuint boxes = gl_texture_array(GL_RG32F, sat->width, sat->height,
+                                    sat->layers, GL_NEAREST);
+    Program program = create_program(sat->start_program.where,
+                                     "step4_blur/shaders/sat_box.glsl",
+                                     "step4_blur/shaders/sat_dump.frag");
+    glDisable(GL_DEPTH_TEST);
+    glViewport(0, 0, sat->width, sat->height);
+    glUseProgram(program.id);
+    glUniform1i(glGetUniformLocation(program.id, "shadow_map"), 0);
+    sat_set_lookup(sat, program.id);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, table);
+    for (int layer = 0; layer < sat->layers; layer++) {
+        GLuint framebuffer = gl_layer_framebuffer(boxes, layer, 0);
+        glUniform1i(glGetUniformLocation(program.id, "layer"), layer);
+        gl_draw_fullscreen(empty_vao);
+        glDeleteFramebuffers(1, &framebuffer);
+    }
+    dump_layers(directory, "blurred", boxes, sat->width, sat->height,
+                sat->layers, 2);
+    gl_program_destroy(&program);
+    glDeleteTextures(1, &boxes);
+}
+
+bool sat_reload(Sat *sat)
+{
+    return gl_program_reload(&sat->start_program) &&
+           gl_program_reload(&sat->sum_program);
+}
+
+void sat_destroy(Sat *sat)
+{
+    for (int i = 0; i < 2; i++) {
+        glDeleteFramebuffers(sat->layers, sat->framebuffers[i]);
+    }
+    glDeleteTextures(2, sat->textures);
+    gl_program_destroy(&sat->sum_program);
+    gl_program_destroy(&sat->start_program);
+    *sat = (Sat){.width = 0};
+}

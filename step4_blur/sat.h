@@ -1,0 +1,39 @@
+// Step 4, --sat: a summed-area table in place of the blur. A box of any width
+// costs four lookups, so that the width may differ from pixel to pixel.
+#ifndef STEP4_SAT_H
+#define STEP4_SAT_H
+
+#include "step1_shadowmap/base/gl.h"   // Program
+#include "step1_shadowmap/base/view.h" // VIEW_MAX_LAYERS
+
+// A table, and the one that the next pass writes.
+typedef struct Sat {
+    Program start_program; // none: there is no table
+    Program sum_program;
+    GLuint textures[2]; // of two 32-bit whole numbers
+    GLuint framebuffers[2][VIEW_MAX_LAYERS];
+    int width, height, layers;
+    int box_width; // texels, 2 radius + 1
+    GLuint steps;  // what 1.0 is in whole numbers
+    size_t bytes;
+} Sat;
+
+// A table for boxes of up to 2 radius + 1 texels of a map of this size.
+Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius);
+
+// Sums every layer of the map (moments in red and green) and returns the
+// table.
+GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao);
+
+// Sets the uniforms of sat_box.glsl and lookup_sat.glsl.
+void sat_set_lookup(const Sat *sat, GLuint program);
+
+// Writes the box's mean at every texel of layer L as directory/blurred.L.exr.
+void sat_dump(const Sat *sat, GLuint table, GLuint empty_vao,
+              const char *directory);
+
+bool sat_reload(Sat *sat);
+
+void sat_destroy(Sat *sat);
+
+#endif

@@ -1,0 +1,9 @@
+// --sat: the blur's box, at the receiver itself and not at texel centres.
+
+uniform float box_width;  // texels
+
+vec2 moments_at(Receiver receiver)
+{
+    vec2 size = vec2(textureSize(shadow_map, 0).xy);
+    return box_mean(receiver.uv * size, receiver.layer, box_width);
+}

@@ -1,0 +1,43 @@
+// --mips: the levels of a filtered map and the lookup in them, over intervals.
+#ifndef ORACLE_MIP_LEVELS_H
+#define ORACLE_MIP_LEVELS_H
+
+#include <vector>
+
+#include "tests/oracle/dump.h"
+#include "tests/oracle/interval.h"
+#include "tests/oracle/report.h"
+
+// blurred.L.exr and blurred.L.mK.exr, K = 1, 2, ...: halved as long as both
+// sides are even.
+std::vector<Picture> load_levels(const Run &run, int layer);
+
+class MipLookup
+{
+  public:
+    explicit MipLookup(const Run &run);
+
+    // Everything that 32-bit arithmetic may look up at a receiver, which is
+    // pixel (x, y).
+    Interval moment(const Receiver &r, int x, int y, int channel) const;
+
+  private:
+    Interval at_level(const Receiver &r, double u, double v, double tap_error,
+                      double level, int channel) const;
+    Interval along(const Receiver &r, const double direction[2], double longer,
+                   double shorter, int taps, int channel) const;
+
+    int anisotropy_;
+    Picture footprint_;
+    std::vector<std::vector<Picture>> levels_; // by layer
+};
+
+// Each level from the one before: 1 3 3 1 over 8 along each axis, far depth
+// outside; and what the level keeps of the mean.
+void check_mips(const Run &run, int layer, Report &report);
+
+// footprint.exr against the differences of u and v between neighbouring pixels
+// that show the same flat surface.
+void check_footprint(const Run &run, Report &report);
+
+#endif
