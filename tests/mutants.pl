@@ -59,7 +59,7 @@ my %mutants = (
         'depth * depth', 'depth'
     ],
     'compared with M2' =>
-      [ 'step3', 'step3_moments/shaders/mean.glsl', 'moments.x', 'moments.y' ],
+      [ 'step3', 'step3_moments/shaders/mean.glsl', ').x', ').y' ],
     'only one axis blurred' => [
         'step4', 'step4_blur/shaders/blur.frag',
         'i * axis', 'i * ivec2(axis.x, 0)'
@@ -154,6 +154,59 @@ my %mutants = (
         "clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0,\n"
           . '                 1.0)',
         '(p_max - bleed_reduction) / (1.0 - bleed_reduction)'
+    ],
+    'levels made with a box' => [
+        'prefilters', 'step4_blur/shaders/mips.frag',
+        'vec4(1.0, 3.0, 3.0, 1.0) / 8.0',
+        'vec4(0.0, 4.0, 4.0, 0.0) / 8.0'
+    ],
+    'levels half a texel off' => [
+        'prefilters', 'step4_blur/shaders/mips.frag',
+        'ivec2(gl_FragCoord.xy) - 1', 'ivec2(gl_FragCoord.xy)'
+    ],
+    'one level too coarse' => [
+        'prefilters', 'step4_blur/shaders/lookup_trilinear.glsl',
+        'log2(max(pixel_ellipse(receiver).longer, 1.0))',
+        'log2(max(2.0 * pixel_ellipse(receiver).longer, 1.0))'
+    ],
+    'levels not blended' => [
+        'prefilters', 'step4_blur/shaders/mip_levels.glsl',
+        'wanted - fine)', '0.0)'
+    ],
+    'derivatives of x and y swapped' => [
+        'prefilters', 'step1_shadowmap/shaders/footprint.glsl',
+        'dFdx(relative_position)', 'dFdy(relative_position)'
+    ],
+    'taps along the shorter axis' => [
+        'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'pixel.direction * tap_length',
+        'pixel.direction.yx * vec2(-1, 1) * tap_length'
+    ],
+    'every tap at one place' => [
+        'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'receiver.uv + steps * tap_step', 'receiver.uv'
+    ],
+    'taps at the level of the longer axis' => [
+        'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'max(pixel.shorter, tap_length)', 'pixel.longer'
+    ],
+    'a table summed along one axis' => [
+        'prefilters', 'step4_blur/shaders/sat_sum.frag',
+        'stride * axis', 'stride * ivec2(axis.x, 0)'
+    ],
+    'a table whose ends are counted twice' => [
+        'prefilters', 'step4_blur/shaders/sat_box.glsl',
+        'first + int(floor(end))', 'first + int(floor(end)) + 1'
+    ],
+    'a box of whole texels only' => [
+        'prefilters', 'step4_blur/shaders/sat_box.glsl',
+        'vec3(1.0 - within, 1.0, end - floor(end))', 'vec3(1.0, 1.0, 0.0)'
+    ],
+    'a table of 16 bits' => [
+        'prefilters',
+        'step4_blur/shaders/sat_start.frag',
+        'clamp(nearness, 0.0, 1.0) * float(steps) + 0.5',
+        'floor(clamp(nearness, 0.0, 1.0) * 65536.0) * float(steps / 65536u)'
     ],
 );
 

@@ -144,6 +144,25 @@ my %OPTIONS = (
         bad     => [ 3, 0, '', '2.0', 32 ],
         allowed => qr/\b1 to 16|does not divide --map-size/,
     },
+    mips => {
+        steps => [ 4, 5 ],
+        check => sub {
+            my ($step) = @_;
+            check_flag( $step, 'mips' );
+            is_refused( $step, [qw(--mips --map-size 255)],
+                [ qr/--mips/, qr/--map-size/ ], '--mips of an odd map' );
+        },
+    },
+    anisotropy => {
+        steps   => [ 4, 5 ],
+        check   => \&check_anisotropy,
+        bad     => [ 0, 17, '', '2.0' ],
+        allowed => qr/\b1 to 16/,
+    },
+    sat => {
+        steps => [ 4, 5 ],
+        check => \&check_sat,
+    },
     'min-variance' => {
         steps   => [5],
         differ  => ['0.001'],
@@ -271,6 +290,49 @@ sub check_dump {
     return;
 }
 
+# Maps with more texels than the small picture has pixels, else all pixels are
+# at level 0. Step 4 shows the mean: its comparisons hide small differences.
+my @FINE = qw(--show mean --map-size 1024 --radius 0);
+
+sub check_flag {
+    my ( $step, $name ) = @_;
+    my ( $off, $on ) = map { draw( $step, @FINE, @$_ ) } [], ["--$name"];
+    ok( $off && $on && $off ne $on, "step $step: --$name changes the picture" );
+    return;
+}
+
+sub check_anisotropy {
+    my ($step) = @_;
+    my ( $one, $many ) =
+      map { draw( $step, @FINE, '--mips', @$_ ) } [], [qw(--anisotropy 16)];
+    ok( $one && $many && $one ne $many,
+        "step $step: --anisotropy 16 changes the picture" );
+    is_refused( $step, [qw(--anisotropy 4)],
+        [qr/--anisotropy.*add --mips or drop/], '--anisotropy without --mips' );
+    return;
+}
+
+# The same box as the blur's, from other sums.
+sub check_sat {
+    my ($step) = @_;
+    my ( $blur, $table ) =
+      map { draw( $step, qw(--show variance --size 320x180), @$_ ) } [],
+      ['--sat'];
+    ok( $blur && $table && $blur ne $table,
+        "step $step: --sat changes the picture" );
+    is_refused( $step, [qw(--sat --mips)], [qr/--sat.*--mips.*drop one/],
+        '--sat with --mips' );
+    for my $kernel (qw(none gaussian binomial)) {
+        is_refused(
+            $step,
+            [ qw(--sat --blur), $kernel ],
+            [qr/--sat.*--blur $kernel.*drop one/],
+            "--sat with --blur $kernel"
+        );
+    }
+    return;
+}
+
 # A shader that was edited is used, and the others still come from the tree.
 sub check_shaders {
     my ( $step, $plain ) = @_;
@@ -307,8 +369,9 @@ sub check_help {
 
     # What is off, or nowhere, by default has no default to print.
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
-    my @expected_silent = grep { $_ ne 'bilinear' || $step == 2 }
-      qw(bilinear dump help list-scenes shaders window);
+    my @expected_silent =
+      grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
+      qw(bilinear dump help list-scenes mips sat shaders window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;
