@@ -39,7 +39,8 @@ ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
 {
     gl_check_size("map-size", views->width, views->height);
     const char *vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
-    const char *fragment[] = {fragment_shader, NULL};
+    const char *fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
+                              fragment_shader, NULL};
     ShadowMap map = {.width = views->width,
                      .height = views->height,
                      .layers = views->layers};
@@ -64,11 +65,13 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
     glEnable(GL_DEPTH_TEST);
     glViewport(0, 0, map->width, map->height);
     glUseProgram(map->program.id);
+    view_set_light(map->program.id, views);
+    GLint layer_uniform = glGetUniformLocation(map->program.id, "layer");
     for (int layer = 0; layer < map->layers; layer++) {
         glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
         glClearBufferfv(GL_COLOR, 0, far_depth);
         glClearBufferfv(GL_DEPTH, 0, far_depth);
-        view_set_layer(map->program.id, views, layer);
+        glUniform1i(layer_uniform, layer);
         geometry_draw(geometry, scene, views->origin, map->program.id);
     }
 }

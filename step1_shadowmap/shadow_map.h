@@ -30,8 +30,8 @@ typedef struct ShadowMap {
 } ShadowMap;
 
 // A map of the given format, one layer per view, filled by the fragment
-// shader, which gets t in [0, 1] and writes what the map keeps of it. `filter`
-// says how it is looked up (GL_NEAREST or GL_LINEAR).
+// shader, which writes what the map keeps of light_depth(), t in [0, 1].
+// `filter` says how it is looked up (GL_NEAREST or GL_LINEAR).
 ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
                             GLenum format, GLenum filter,
                             const char *fragment_shader);

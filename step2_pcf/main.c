@@ -42,7 +42,7 @@ static void create(void)
     const char *const visibility[] = {"step1_shadowmap/shaders/bias.glsl",
                                       "step2_pcf/shaders/map_depth.glsl",
                                       pcf_shader(&state.pcf), NULL};
-    scene_create(&state.scene, state.base.scene);
+    scene_create(&state.scene, state.base.scene, state.base.light);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               pcf_reach(&state.pcf));
@@ -50,7 +50,8 @@ static void create(void)
     state.map =
         shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
                           GL_NEAREST, "step1_shadowmap/shaders/depth.frag");
-    state.picture = scene_draw_create(&state.base, visibility);
+    state.picture =
+        scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }
 
 static void draw_frame(void)
@@ -73,6 +74,7 @@ static void write_files(void)
                          .scene = state.base.scene,
                          .tables = state.options,
                          .views = &state.views,
+                         .light = &state.scene.light,
                          .stopwatch = &state.stopwatch,
                          .map_bytes = state.map.bytes};
         dump_layers(state.base.dump, "depth", state.map.texture,

@@ -45,14 +45,15 @@ static void create(void)
         "step1_shadowmap/shaders/bias.glsl",
         "step3_moments/shaders/lookup_bilinear.glsl",
         "step3_moments/shaders/mean.glsl", NULL};
-    scene_create(&state.scene, state.base.scene);
+    scene_create(&state.scene, state.base.scene, state.base.light);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               REACH);
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(base_shader_files(&state.base), &state.views,
                                &state.moments);
-    state.picture = scene_draw_create(&state.base, visibility);
+    state.picture =
+        scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }
 
 static void draw_frame(void)
@@ -74,6 +75,7 @@ static void write_files(void)
                          .scene = state.base.scene,
                          .tables = state.options,
                          .views = &state.views,
+                         .light = &state.scene.light,
                          .stopwatch = &state.stopwatch,
                          .map_bytes = state.map.bytes};
         dump_layers(state.base.dump, "moments", state.map.texture,

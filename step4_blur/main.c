@@ -51,7 +51,7 @@ static void create(void)
         "step1_shadowmap/shaders/bias.glsl"};
     blur_picture_shaders(&state.blur, "step3_moments/shaders/mean.glsl",
                          &visibility[1]);
-    scene_create(&state.scene, state.base.scene);
+    scene_create(&state.scene, state.base.scene, state.base.light);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
               blur_reach(&state.blur));
@@ -60,7 +60,8 @@ static void create(void)
                                &state.moments);
     state.filter = blur_create(base_shader_files(&state.base), &state.blur,
                                &state.map, moments_format(&state.moments));
-    state.picture = scene_draw_create(&state.base, visibility);
+    state.picture =
+        scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }
 
 static void draw_frame(void)
@@ -85,6 +86,7 @@ static void write_files(void)
                          .scene = state.base.scene,
                          .tables = state.options,
                          .views = &state.views,
+                         .light = &state.scene.light,
                          .stopwatch = &state.stopwatch,
                          .map_bytes = state.map.bytes + state.filter.bytes};
         dump_layers(state.base.dump, "moments", state.map.texture,

@@ -35,12 +35,12 @@ my %mutants = (
     ],
     'the map upside down' => [
         'step1', 'step1_shadowmap/shaders/map.vert',
-        'vec4(2.0 * map_position - 1.0, 1.0)',
-        'vec4(2.0 * map_position - 1.0, 1.0) * vec4(1, -1, 1, 1)'
+        'map_position.w, map_position.w);',
+        'map_position.w, map_position.w) * vec4(1, -1, 1, 1);'
     ],
     'visible although it faces away' => [
         'step1', 'step1_shadowmap/shaders/scene.frag',
-        'facing > 0.0 ? 1.0 : 0.0', '1.0'
+        'facing > 0.0 && cosine', 'cosine'
     ],
     'half the slope bias' => [
         'step2', 'step1_shadowmap/shaders/bias.glsl',
@@ -143,6 +143,39 @@ my %mutants = (
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'behind > 0.0 ? p_max : 1.0',
         'behind < 0.0 ? p_max : 1.0'
+    ],
+    'the opposite view of a point light' => [
+        'lights', 'step1_shadowmap/shaders/layer_face.glsl',
+        'from_light[axis] < 0.0', 'from_light[axis] > 0.0'
+    ],
+    'an axis as good as the largest' => [
+        'lights', 'step1_shadowmap/shaders/layer_face.glsl',
+        'size.y >= size.z ? 1 : 2', '1'
+    ],
+    'no division by w' => [
+        'lights', 'step1_shadowmap/shaders/map_coordinates.glsl',
+        'map_position.xy / map_position.w', 'map_position.xy'
+    ],
+    'the depth along an axis' => [
+        'lights', 'step1_shadowmap/shaders/light_depth.glsl',
+        'length(towards_light(relative_position))',
+        'abs(towards_light(relative_position).y)'
+    ],
+    'light outside the cone' => [
+        'lights', 'step1_shadowmap/shaders/scene.frag',
+        'facing > 0.0 && cosine > cone_cosines.x', 'facing > 0.0'
+    ],
+    'light that falls with the distance only' => [
+        'lights', 'step1_shadowmap/shaders/scene.frag',
+        'part * part', 'part'
+    ],
+    'a cone without a soft edge' => [
+        'lights', 'step1_shadowmap/shaders/scene.frag',
+        '* cone * cone', ''
+    ],
+    'a slope as if u were linear' => [
+        'lights', 'step1_shadowmap/shaders/bias.glsl',
+        '- receiver.uv[axis] * row.xyz', ''
     ],
     'a distance that is not squared' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',

@@ -40,23 +40,39 @@ static void write_matrix(FILE *file, const double matrix[4][4])
     fputs("]", file);
 }
 
-static void write_views(FILE *file, const Views *views)
+// The light's position and half cone are written where it has them.
+static void write_place(FILE *file, const Views *views, const Light *light)
+{
+    const double *position = views->light_position;
+    if (light->kind != LIGHT_DIRECTIONAL) {
+        fprintf(file, ", \"position\": [%.17g, %.17g, %.17g]", position[0],
+                position[1], position[2]);
+    }
+    if (light->kind == LIGHT_SPOT) {
+        fprintf(file, ", \"cone\": %.17g", light->cone);
+    }
+}
+
+static void write_views(FILE *file, const Views *views, const Light *light)
 {
     const double *origin = views->origin;
     fprintf(file, "  \"origin\": [%.17g, %.17g, %.17g],\n", origin[0],
             origin[1], origin[2]);
     fputs("  \"clip_from_relative\": ", file);
     write_matrix(file, views->clip_from_relative);
-    fputs(",\n  \"views\": [", file);
+    fprintf(file, ",\n  \"light\": \"%s\",\n  \"views\": [",
+            light_kind_name(light->kind));
     for (int i = 0; i < views->layers; i++) {
         const LightView *view = &views->light[i];
         fprintf(file, "%s\n    {\"map_from_relative\": ", i ? "," : "");
         write_matrix(file, view->map_from_relative);
         fprintf(file,
                 ", \"near\": %.17g, \"far\": %.17g, \"width\": %d, "
-                "\"height\": %d, \"border\": %d}",
+                "\"height\": %d, \"border\": %d",
                 view->near, view->far, views->width, views->height,
                 views->border);
+        write_place(file, views, light);
+        fputs("}", file);
     }
     fputs("],\n", file);
 }
@@ -80,7 +96,7 @@ static void write_run(FILE *file, const Run *run)
     fputs(",\n  \"options\": {", file);
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);
-    write_views(file, run->views);
+    write_views(file, run->views, run->light);
     fprintf(file, "  \"map_bytes\": %zu,\n", run->map_bytes);
     fprintf(file, "  \"gl_renderer\": \"%s\",\n",
             (const char *)glGetString(GL_RENDERER));

@@ -21,6 +21,7 @@ typedef struct Run {
     const char *scene; // as given to --scene
     const OptionTable *tables;
     const Views *views;
+    const Light *light; // that the views are of
     const Stopwatch *stopwatch;
     size_t map_bytes; // of all maps that the light's part of the frame needs
 } Run;

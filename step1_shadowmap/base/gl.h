@@ -22,7 +22,7 @@ typedef struct ShaderFiles {
     const char *directory;
 } ShaderFiles;
 
-enum { PROGRAM_MAX_FILES = 16 };
+enum { PROGRAM_MAX_FILES = 20 };
 
 // A program, and the files that it is made of: names that stay valid, NULL
 // after the last.

@@ -87,7 +87,9 @@ static void print_help(const char *program, const OptionTable tables[])
             printf("  --%s %s\n      %s", option->name, argument, option->help);
             const char *const *text = value_of(table, option);
             bool no_default = option->kind == OPTION_FLAG ||
-                              (option->kind == OPTION_TEXT && *text == NULL);
+                              ((option->kind == OPTION_TEXT ||
+                                option->kind == OPTION_CHOICE) &&
+                               *text == NULL);
             if (!no_default) {
                 fputs(" (default ", stdout);
                 write_value(stdout, table, option, false);

@@ -1,11 +1,11 @@
 #include "step1_shadowmap/base/scene.h"
 
-#include <math.h>   // cos, hypot, sin
+#include <math.h>   // cos, hypot, sin, sqrt
 #include <stdlib.h> // strtod
-#include <string.h> // memset, strchr, strcspn, strncmp
+#include <string.h> // memset, strchr, strcmp, strcspn, strncmp
 
-#include "step1_shadowmap/base/die.h"         // die, die_usage
-#include "step1_shadowmap/base/dvec.h"        // dvec_normalize
+#include "step1_shadowmap/base/die.h"  // die, die_usage
+#include "step1_shadowmap/base/dvec.h" // dvec_dot, dvec_normalize, dvec_subtract
 #include "step1_shadowmap/base/scene_table.h" // scene_table
 
 #define RADIANS(degrees) ((degrees)*0.017453292519943295)
@@ -97,6 +97,59 @@ static void read_keys(const SceneEntry *entry, const char *text,
     }
 }
 
+static const char *const kind_names[] = {[LIGHT_DIRECTIONAL] = "directional",
+                                         [LIGHT_SPOT] = "spot",
+                                         [LIGHT_POINT] = "point"};
+
+const char *light_kind_name(LightKind kind)
+{
+    return kind_names[kind];
+}
+
+static LightKind find_kind(const char *name)
+{
+    for (int kind = LIGHT_DIRECTIONAL; kind <= LIGHT_POINT; kind++) {
+        if (strcmp(kind_names[kind], name) == 0) {
+            return (LightKind)kind;
+        }
+    }
+    die_usage("--light '%s': allowed are directional, spot, point", name);
+}
+
+static double distance_between(const double a[3], const double b[3])
+{
+    double offset[3];
+    dvec_subtract(a, b, offset);
+    return sqrt(dvec_dot(offset, offset));
+}
+
+// A light that has a direction gets the place that the other kinds need:
+// `distance` before what the camera looks at.
+static void place_light(Scene *scene, double distance)
+{
+    Light *light = &scene->light;
+    for (int k = 0; k < 3; k++) {
+        light->position[k] =
+            scene->camera.target[k] - distance * light->direction[k];
+    }
+    light->reference = distance;
+}
+
+static void replace_light(Scene *scene, LightKind kind)
+{
+    Light *light = &scene->light;
+    if (kind == light->kind) {
+        return;
+    }
+    if (light->kind == LIGHT_DIRECTIONAL) {
+        place_light(scene, distance_between(scene->camera.position,
+                                            scene->camera.target));
+    }
+    light->kind = kind;
+    light->cone = light->cone > 0 ? light->cone : RADIANS(32);
+    light->near = light->far = 0; // of another measure of depth
+}
+
 static void raise_light(Light *light, double degrees)
 {
     double x = light->direction[0];
@@ -111,6 +164,16 @@ static void raise_light(Light *light, double degrees)
     dvec_normalize(light->direction);
 }
 
+// A spot or point light is raised about what the camera looks at.
+static void raise_scene_light(Scene *scene, double degrees)
+{
+    raise_light(&scene->light, degrees);
+    if (scene->light.kind != LIGHT_DIRECTIONAL) {
+        place_light(scene, distance_between(scene->light.position,
+                                            scene->camera.target));
+    }
+}
+
 static void move_point(double point[3], double scale, double offset)
 {
     for (int k = 0; k < 3; k++) {
@@ -123,6 +186,8 @@ static void move_world(Scene *scene, double scale, double offset)
     move_point(scene->camera.position, scale, offset);
     move_point(scene->camera.target, scale, offset);
     move_point(scene->light.anchor, scale, offset);
+    move_point(scene->light.position, scale, offset);
+    scene->light.reference *= scale;
     scene->light.near *= scale;
     scene->light.far *= scale;
     for (int i = 0; i < scene->object_count; i++) {
@@ -136,7 +201,7 @@ static void move_world(Scene *scene, double scale, double offset)
     }
 }
 
-void scene_create(Scene *scene, const char *text)
+void scene_create(Scene *scene, const char *text, const char *light)
 {
     double own[SCENE_MAX_KEYS];
     double common[COMMON_KEYS];
@@ -148,7 +213,10 @@ void scene_create(Scene *scene, const char *text)
     memcpy(scene->background, sky, sizeof sky);
     entry->build(scene, own);
     if (common[KEY_ELEVATION] > 0) {
-        raise_light(&scene->light, common[KEY_ELEVATION]);
+        raise_scene_light(scene, common[KEY_ELEVATION]);
+    }
+    if (light != NULL) {
+        replace_light(scene, find_kind(light));
     }
     move_world(scene, common[KEY_SCALE], common[KEY_OFFSET]);
 }

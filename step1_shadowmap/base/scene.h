@@ -17,11 +17,20 @@ typedef struct Camera {
     double fov_y;       // whole vertical field of view, radians
 } Camera;
 
-// A parallel (directional) light. The depth of a point p is
-// dot(direction, p - anchor): world units from the plane through the anchor.
+typedef enum LightKind { LIGHT_DIRECTIONAL, LIGHT_SPOT, LIGHT_POINT } LightKind;
+
+// The depth of a point p in the light's map is a length in world units: for a
+// directional (parallel) light dot(direction, p - anchor), that is from the
+// plane through the anchor; for a spot and a point light the distance to it.
 typedef struct Light {
-    double direction[3]; // world space, unit length, the way the light travels
-    double anchor[3];    // world space, where depth 0 is
+    LightKind kind;
+    double direction[3]; // world space, unit length, the way the light travels;
+                         // the axis of a spot's cone
+    double anchor[3];    // world space, where depth 0 is; directional
+    double position[3];  // world space; spot and point
+    double cone;         // from a spot's axis to its edge, radians
+    double reference;    // distance where a spot's or point's radiance holds;
+                         // it falls with the square, world units
     double near, far;    // depth range of the map; both 0: fitted to the scene
     float radiance[3];   // linear RGB, of a white surface facing the light
     float ambient[3];    // linear RGB, of a white surface in full shadow
@@ -48,11 +57,16 @@ typedef struct Scene {
     int object_count;
 } Scene;
 
-// Builds the scene that a string like "bleed:r=4,scale=2" names. Exits with
-// status 2 and one line on stderr for an unknown scene or key, or a value out
-// of range. The caller owns the scene until scene_destroy, and must not copy
-// it (objects point at its meshes), so it is built in place.
-void scene_create(Scene *scene, const char *text);
+// "directional", "spot" or "point".
+const char *light_kind_name(LightKind kind);
+
+// Builds the scene that a string like "bleed:r=4,scale=2" names. `light`, a
+// kind's name or NULL, replaces the kind of its light: it shines on what the
+// camera looks at from the same side, a spot or point light from as far as the
+// camera is. Exits with status 2 and one line on stderr for an unknown scene or
+// key, or a value out of range. The caller owns the scene until scene_destroy,
+// and must not copy it (objects point at its meshes), so it is built in place.
+void scene_create(Scene *scene, const char *text, const char *light);
 
 void scene_destroy(Scene *scene);
 

@@ -1,5 +1,6 @@
 #include "step1_shadowmap/base/scene_draw.h"
 
+#include <math.h>   // cos
 #include <stdlib.h> // free
 #include <string.h> // memcpy, strcmp
 
@@ -10,6 +11,9 @@
 enum { MAX_FILES = PROGRAM_MAX_FILES };
 
 const char scene_draw_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
+
+// A spot loses its brightness between this part of its cone and the edge.
+#define BRIGHT_PART 0.8
 
 // What the fragment shader writes, in the order of its output locations.
 static const struct {
@@ -48,15 +52,23 @@ static int count_outputs(const BaseSettings *settings,
     return SCENE_DRAW_OUTPUTS - (uses_footprint(visibility) ? 0 : 1);
 }
 
-static Program create_program(const BaseSettings *settings,
+// How a position finds its layer of the map.
+static const char *layer_shader(LightKind kind)
+{
+    return kind == LIGHT_POINT ? "step1_shadowmap/shaders/layer_face.glsl"
+                               : "step1_shadowmap/shaders/layer_only.glsl";
+}
+
+static Program create_program(const BaseSettings *settings, LightKind kind,
                               const char *const visibility[])
 {
     static const char *const vertex[] = {"step1_shadowmap/shaders/scene.vert",
                                          NULL};
     const ShowMode *mode = base_show_mode(settings);
     const char *fragment[MAX_FILES] = {
+        "step1_shadowmap/shaders/light_depth.glsl", layer_shader(kind),
         "step1_shadowmap/shaders/map_coordinates.glsl"};
-    int count = 1;
+    int count = 3;
     for (int i = 0; visibility[i] != NULL; i++) {
         if (count + 6 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
@@ -93,14 +105,14 @@ static void create_framebuffer(SceneDraw *draw)
     gl_check_framebuffer("of the picture");
 }
 
-SceneDraw scene_draw_create(const BaseSettings *settings,
+SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
                             const char *const visibility[])
 {
     gl_check_size("size", settings->size[0], settings->size[1]);
     SceneDraw draw = {.width = settings->size[0],
                       .height = settings->size[1],
                       .output_count = count_outputs(settings, visibility)};
-    draw.program = create_program(settings, visibility);
+    draw.program = create_program(settings, kind, visibility);
     draw.shaded = strcmp(settings->show, "shaded") == 0;
     draw.legend =
         legend_create(base_shader_files(settings), base_show_mode(settings),
@@ -109,17 +121,29 @@ SceneDraw scene_draw_create(const BaseSettings *settings,
     return draw;
 }
 
+// A light that is not a spot has a cone that holds every direction, and one
+// that is parallel is everywhere at the distance where its radiance holds.
+static void set_falloff(GLuint program, const Light *light)
+{
+    bool local = light->kind != LIGHT_DIRECTIONAL;
+    bool spot = light->kind == LIGHT_SPOT;
+    glUniform1f(glGetUniformLocation(program, "reference_distance"),
+                local ? (float)light->reference : 1);
+    glUniform3f(glGetUniformLocation(program, "cone_axis"),
+                (float)light->direction[0], (float)light->direction[1],
+                (float)light->direction[2]);
+    glUniform2f(glGetUniformLocation(program, "cone_cosines"),
+                spot ? (float)cos(light->cone) : -3,
+                spot ? (float)cos(BRIGHT_PART * light->cone) : -2);
+}
+
 static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
 {
     const Light *light = &scene->light;
     view_set_matrix(program, "clip_from_relative", views->clip_from_relative);
-    for (int layer = 0; layer < views->layers; layer++) {
-        view_set_layer(program, views, layer);
-    }
+    view_set_light(program, views);
+    set_falloff(program, light);
     glUniform1i(glGetUniformLocation(program, "shadow_map"), 0);
-    glUniform3f(glGetUniformLocation(program, "to_light"),
-                (float)-light->direction[0], (float)-light->direction[1],
-                (float)-light->direction[2]);
     glUniform3fv(glGetUniformLocation(program, "radiance"), 1, light->radiance);
     glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light->ambient);
 }

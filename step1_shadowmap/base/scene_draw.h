@@ -24,11 +24,11 @@ typedef struct SceneDraw {
     int width, height; // pixels
 } SceneDraw;
 
-// `visibility` lists the fragment shader files (NULL at the end) that define
-// float visibility(Receiver); they are compiled together with step 1's
-// scene.frag. With --dump the picture has the further outputs that
-// scene_draw_dump writes.
-SceneDraw scene_draw_create(const BaseSettings *settings,
+// For a light of this kind. `visibility` lists the fragment shader files (NULL
+// at the end) that define float visibility(Receiver); they are compiled
+// together with step 1's scene.frag. With --dump the picture has the further
+// outputs that scene_draw_dump writes.
+SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
                             const char *const visibility[]);
 
 // Draws one frame with `map` (a 2D array texture) as the shader's shadow_map.

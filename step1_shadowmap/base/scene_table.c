@@ -4,7 +4,7 @@
 #include <string.h> // memcpy
 
 #include "step1_shadowmap/base/die.h"  // die
-#include "step1_shadowmap/base/dvec.h" // dvec_copy, dvec_frame, dvec_normalize
+#include "step1_shadowmap/base/dvec.h" // dvec_copy, dvec_frame, dvec_subtract
 
 #define RADIANS(degrees) ((degrees)*0.017453292519943295)
 
@@ -58,6 +58,20 @@ static void set_light(Scene *scene, double x, double y, double z)
     dvec_normalize(light->direction);
     memcpy(light->radiance, radiance, sizeof radiance);
     memcpy(light->ambient, ambient, sizeof ambient);
+}
+
+// A spot or point light that is aimed at a target; its radiance holds at a
+// distance from it.
+static void set_local_light(Scene *scene, LightKind kind,
+                            const double position[3], const double target[3],
+                            double reference)
+{
+    double aim[3];
+    dvec_subtract(target, position, aim);
+    set_light(scene, aim[0], aim[1], aim[2]);
+    scene->light.kind = kind;
+    dvec_copy(position, scene->light.position);
+    scene->light.reference = reference;
 }
 
 // A plane perpendicular to the light, `along` further than the anchor and
@@ -335,6 +349,134 @@ static void build_offstage(Scene *scene, const double values[])
     add_object(scene, "teapot", add_mesh(scene, mesh_teapot(16)), size, behind);
 }
 
+// A box that stands on a height.
+static Object *add_block(Scene *scene, const char *name, const Mesh *box,
+                         const double size[3], const double foot[3])
+{
+    const double middle[3] = {foot[0], foot[1] + 0.5 * size[1], foot[2]};
+    return add_object(scene, name, box, size, middle);
+}
+
+// A teapot on a pedestal between columns, before a folded curtain.
+static void add_set(Scene *scene, const Mesh *box)
+{
+    const double boards[3] = {7, 0.3, 4.4};
+    const double middle[3] = {0, 0, 0};
+    set_albedo(add_block(scene, "boards", box, boards, middle), 0.46f, 0.33f,
+               0.23f);
+    const double slat[3] = {0.5, 3.4, 0.16};
+    for (int i = 0; i < 13; i++) {
+        const double place[3] = {0.5 * (i - 6), 0.3, i % 2 ? -1.9 : -1.76};
+        set_albedo(add_block(scene, "fold", box, slat, place), 0.55f, 0.12f,
+                   0.13f);
+    }
+    const double pedestal[3] = {0.9, 0.7, 0.9};
+    const double centre[3] = {0, 0.3, 0.2};
+    set_albedo(add_block(scene, "pedestal", box, pedestal, centre), 0.60f,
+               0.58f, 0.54f);
+    const double column[3] = {0.26, 1.9, 0.26};
+    for (int i = 0; i < 4; i++) {
+        const double place[3] = {i % 2 ? 1.5 : -1.5, 0.3, i / 2 ? 0.7 : -0.7};
+        set_albedo(add_block(scene, "column", box, column, place), 0.62f, 0.60f,
+                   0.57f);
+    }
+}
+
+static void build_stage(Scene *scene, const double values[])
+{
+    (void)values;
+    const double eye[3] = {-1.6, 2.5, 6.2};
+    const double target[3] = {0.1, 1.1, 0};
+    const double lamp[3] = {2.4, 4.6, 4.0};
+    set_camera(scene, eye, target, 36);
+    set_local_light(scene, LIGHT_SPOT, lamp, target, 6.4);
+    scene->light.cone = RADIANS(24);
+    for (int k = 0; k < 3; k++) {
+        scene->light.ambient[k] *= 0.6f;
+        scene->background[k] = 0.04f;
+    }
+    const Mesh *plane = add_mesh(scene, mesh_plane());
+    set_albedo(add_floor(scene, plane), 0.20f, 0.20f, 0.22f);
+    add_set(scene, add_mesh(scene, mesh_box()));
+    const double size[3] = {0.62, 0.62, 0.62};
+    const double place[3] = {0, 0.97, 0.2};
+    const Mesh *teapot = add_mesh(scene, mesh_teapot(16));
+    set_albedo(add_object(scene, "teapot", teapot, size, place), 0.72f, 0.62f,
+               0.40f);
+}
+
+// Six slabs around 6 x 3 x 5 world units.
+static void add_walls(Scene *scene, const Mesh *box)
+{
+    const double sizes[6][3] = {{0.2, 3.4, 5.4}, {0.2, 3.4, 5.4},
+                                {6.4, 0.2, 5.4}, {6.4, 0.2, 5.4},
+                                {6.4, 3.4, 0.2}, {6.4, 3.4, 0.2}};
+    const double places[6][3] = {{-3.1, 1.5, 0}, {3.1, 1.5, 0},  {0, -0.1, 0},
+                                 {0, 3.1, 0},    {0, 1.5, -2.6}, {0, 1.5, 2.6}};
+    const float colors[6][3] = {{0.58f, 0.30f, 0.22f}, {0.26f, 0.40f, 0.50f},
+                                {0.52f, 0.46f, 0.40f}, {0.66f, 0.65f, 0.62f},
+                                {0.64f, 0.62f, 0.56f}, {0.64f, 0.62f, 0.56f}};
+    for (int i = 0; i < 6; i++) {
+        Object *wall = add_object(scene, "wall", box, sizes[i], places[i]);
+        set_albedo(wall, colors[i][0], colors[i][1], colors[i][2]);
+    }
+}
+
+static void add_table(Scene *scene, const Mesh *box)
+{
+    const double top[3] = {1.5, 0.07, 0.9};
+    const double place[3] = {0.5, 0.7, -0.9};
+    set_albedo(add_block(scene, "table", box, top, place), 0.46f, 0.33f, 0.23f);
+    const double leg[3] = {0.08, 0.7, 0.08};
+    for (int i = 0; i < 4; i++) {
+        const double foot[3] = {0.5 + (i % 2 ? 0.66 : -0.66), 0,
+                                -0.9 + (i / 2 ? 0.36 : -0.36)};
+        set_albedo(add_block(scene, "leg", box, leg, foot), 0.46f, 0.33f,
+                   0.23f);
+    }
+    const double one[3] = {0.42, 0.42, 0.42};
+    const double on_top[3] = {0.5, 0.75, -0.9};
+    const Mesh *teapot = add_mesh(scene, mesh_teapot(16));
+    set_albedo(add_object(scene, "teapot", teapot, one, on_top), 0.72f, 0.30f,
+               0.16f);
+}
+
+// A screen of slats, whose shadows run over two walls and the ceiling.
+static void add_screen(Scene *scene, const Mesh *box)
+{
+    const double slat[3] = {0.06, 1.7, 0.06};
+    for (int i = 0; i < 9; i++) {
+        const double foot[3] = {-2.1 + 0.17 * i, 0, -0.75 - 0.07 * i};
+        set_albedo(add_block(scene, "slat", box, slat, foot), 0.24f, 0.18f,
+                   0.14f);
+    }
+}
+
+// Closed: wherever a filter goes wrong at a seam between the light's views,
+// there is a wall to see it on.
+static void build_room(Scene *scene, const double values[])
+{
+    (void)values;
+    const double eye[3] = {-2.3, 1.9, 2.35};
+    const double target[3] = {0.45, 1.05, -1.2};
+    const double lamp[3] = {-0.25, 1.75, -0.1};
+    set_camera(scene, eye, target, 62);
+    set_local_light(scene, LIGHT_POINT, lamp, target, 1.5);
+    const Mesh *box = add_mesh(scene, mesh_box());
+    add_walls(scene, box);
+    add_table(scene, box);
+    add_screen(scene, box);
+    const Mesh *sphere = add_mesh(scene, mesh_sphere(48));
+    const double ball[3] = {0.32, 0.32, 0.32};
+    const double place[3] = {1.9, 0.32, 0.1};
+    set_albedo(add_object(scene, "ball", sphere, ball, place), 0.62f, 0.60f,
+               0.57f);
+    const double shelf[3] = {0.3, 0.05, 1.8};
+    const double on_wall[3] = {2.85, 1.7, -1.0};
+    set_albedo(add_object(scene, "shelf", box, shelf, on_wall), 0.46f, 0.33f,
+               0.23f);
+}
+
 const SceneEntry scene_table[] = {
     {"teapot",
      "a teapot on a floor, with a wall and thin bars",
@@ -359,6 +501,8 @@ const SceneEntry scene_table[] = {
      {{"pickets", 1, 400, 160, "along 2.4 world units"}}},
     {"grazing", "a light almost parallel to a floor", build_grazing, {{0}}},
     {"avenue", "a long view down two rows of columns", build_avenue, {{0}}},
+    {"stage", "a teapot on a stage in a spot light", build_stage, {{0}}},
+    {"room", "a point light inside a closed room", build_room, {{0}}},
     {"crowd",
      "64 spheres on a floor: cost against size",
      build_crowd,

@@ -10,6 +10,7 @@
 
 typedef struct BaseSettings {
     const char *scene;
+    const char *light; // a kind, or NULL: the scene's own
     bool list_scenes;
     int size[2];     // of the picture, pixels
     int map_size[2]; // of the shadow map, texels

@@ -11,24 +11,38 @@
 
 enum { VIEW_MAX_LAYERS = 8 };
 
-// What the light sees in one layer of its map. (u, v, t) of a position: u and
-// v in [0, 1] across the map, u to the right and v up; t in [0, 1] is the
-// depth along the light, linear from near to far.
+// What the light sees in one layer of its map. The rows of map_from_relative
+// give (u w, v w, z w, w) of a relative position: u and v in [0, 1] across the
+// map, u to the right and v up; z in [0, 1] is for the depth test. For a
+// parallel light w is 1 and z is t; for a spot and a point light w is the
+// distance along the view's axis.
+//
+// The depth t in [0, 1] is linear from near to far, for every kind of light
+//   t = dot(depth_from_relative, (p, 1)) + depth_per_distance |p - light|:
+// along a parallel light's direction (its depth_per_distance is 0), else the
+// distance from the light (only the last number of the row is not 0).
 typedef struct LightView {
-    double map_from_relative[4][4]; // rows; the last one is 0 0 0 1
-    double near, far;               // dot(direction, p - anchor), world units
+    double map_from_relative[4][4];
+    double depth_from_relative[4];
+    double near, far; // see Light, world units
 } LightView;
 
 typedef struct Views {
     double origin[3]; // the camera's position, world space
     double clip_from_relative[4][4];
+    // Relative to the origin, and 1; of a parallel light the unit vector
+    // towards it, and 0.
+    double light_position[4];
+    double depth_per_distance;
     LightView light[VIEW_MAX_LAYERS];
     int layers;
     int width, height; // of the map, texels
-    int border;        // texels at each edge that no caster reaches
+    int border; // texels at each edge that no caster reaches and no receiver
+                // looks up, but those outside a parallel light's casters
 } Views;
 
-// Fits the views to the scene. `picture` and `map` are sizes in pixels and
+// Fits the views to the scene: one for a directional and a spot light, six for
+// a point light. `picture` and `map` are sizes in pixels and
 // texels; `reach` is how many texels a filter reads to each side. Texels are
 // square in the world. The border is at least twice the reach: a receiver
 // within reach of a caster must not have the map's edge within reach too, or
@@ -42,8 +56,8 @@ void views_fit(Views *views, const Scene *scene, const int picture[2],
 void view_set_matrix(GLuint program, const char *name,
                      const double matrix[4][4]);
 
-// Sets element `layer` of the program's uniform map_from_relative, an array of
-// mat4, and its uniform int layer.
-void view_set_layer(GLuint program, const Views *views, int layer);
+// Sets the uniforms of light_depth.glsl, and map_from_relative, an array of
+// mat4 with an element for each layer.
+void view_set_light(GLuint program, const Views *views);
 
 #endif

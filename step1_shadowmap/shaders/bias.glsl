@@ -4,26 +4,43 @@
 uniform float bias;        // of the depth range
 uniform float slope_bias;  // of the depth change across half the kernel
 
-// Row i of the matrix that maps to (u, v, t), without the translation.
+// Row i of the matrix to (u w, v w, z w, w), without the translation.
 vec3 map_axis(int layer, int i)
 {
     mat4 m = map_from_relative[layer];
     return vec3(m[0][i], m[1][i], m[2][i]);
 }
 
-// |dt/du| and |dt/dv| on the receiver's plane. Moving by U/|U|^2 raises u by
-// one; to stay on the plane, the point has to move along T as well, until its
-// distance to the plane, measured by the normal, is 0 again. The light meets
-// the plane at an angle whose sine is held at 0.1, else this has no limit.
+// How u (axis 0) or v (axis 1), that is a quotient, changes with the position.
+vec3 map_gradient(Receiver receiver, int axis)
+{
+    int layer = receiver.layer;
+    vec4 row = vec4(map_axis(layer, 3), map_from_relative[layer][3][3]);
+    float w = dot(row, vec4(receiver.relative_position, 1.0));
+    return (map_axis(layer, axis) - receiver.uv[axis] * row.xyz) / w;
+}
+
+// How t changes with the position, see light_depth().
+vec3 depth_gradient(Receiver receiver)
+{
+    vec3 away = -normalize(towards_light(receiver.relative_position));
+    return depth_from_relative[receiver.layer].xyz + depth_per_distance * away;
+}
+
+// |dt/du| and |dt/dv| on the receiver's plane. A step in that plane that keeps
+// v is across the normal and across v's gradient; what t and u gain by it are
+// in the ratio dt/du. `ray` points along the light's ray, where u and v do not
+// change. That ray meets the plane at an angle whose sine is held at 0.1, else
+// the ratio has no limit.
 vec2 depth_slope(Receiver receiver)
 {
-    vec3 u = map_axis(receiver.layer, 0);
-    vec3 v = map_axis(receiver.layer, 1);
-    vec3 t = map_axis(receiver.layer, 2);
-    float facing = max(abs(dot(receiver.normal, t)) / length(t), 0.1);
-    vec2 away = vec2(dot(receiver.normal, u) / dot(u, u),
-                     dot(receiver.normal, v) / dot(v, v));
-    return abs(away) * length(t) / facing;
+    vec3 u = map_gradient(receiver, 0);
+    vec3 v = map_gradient(receiver, 1);
+    vec3 t = depth_gradient(receiver);
+    vec3 ray = cross(u, v);
+    float facing = max(abs(dot(receiver.normal, ray)), 0.1 * length(ray));
+    return abs(vec2(dot(t, cross(v, receiver.normal)),
+                    dot(t, cross(u, receiver.normal)))) / facing;
 }
 
 // For a comparison with kernel x kernel texels of a map of map_size texels:

@@ -1,10 +1,12 @@
 // A shadow map: the depth of the surface nearest to the light.
 
-in float depth;
+uniform int layer;
+
+in vec3 relative_position;
 
 layout(location = 0) out float nearest_depth;
 
 void main()
 {
-    nearest_depth = depth;
+    nearest_depth = light_depth(relative_position, layer);
 }

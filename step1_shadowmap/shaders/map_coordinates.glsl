@@ -7,15 +7,20 @@ struct Receiver {
     float depth;  // t in [0, 1] from the near to the far plane
     int layer;    // of the map
     vec3 normal;  // unit, towards the viewer, in the world's axes
+    vec3 relative_position;
 };
 
 uniform mat4 map_from_relative[8];
 
+// Dividing by w makes a perspective of what a spot or point light sees; for a
+// parallel light it is 1.
 Receiver map_coordinates(vec3 relative_position, vec3 normal)
 {
-    int layer = 0;
+    int layer = map_layer(relative_position);
     vec4 map_position = map_from_relative[layer] * vec4(relative_position, 1.0);
-    return Receiver(map_position.xy, map_position.z, layer, normal);
+    return Receiver(map_position.xy / map_position.w,
+                    light_depth(relative_position, layer), layer, normal,
+                    relative_position);
 }
 
 // What the map does not hold is lit.

@@ -3,22 +3,38 @@
 uniform vec3 albedo;    // linear RGB
 uniform vec3 radiance;  // of the light, linear RGB
 uniform vec3 ambient;   // from everywhere else, linear RGB
-uniform vec3 to_light;  // unit, in the world's axes
+uniform float reference_distance;  // where the radiance holds
+uniform vec3 cone_axis;            // of a spot light, unit
+uniform vec2 cone_cosines;         // at its edge, and where it is full bright
 
 in vec3 surface_normal;
 
 layout(location = 0) out vec4 color;
 
+// How much of the radiance arrives: it falls with the square of the distance,
+// and from the middle of a spot's cone to its edge.
+float falloff(float distance, float cosine)
+{
+    float part = reference_distance / distance;
+    float cone = clamp((cosine - cone_cosines.x) /
+                           (cone_cosines.y - cone_cosines.x), 0.0, 1.0);
+    return part * part * cone * cone;
+}
+
 void main()
 {
     vec3 normal = normalize(gl_FrontFacing ? surface_normal : -surface_normal);
     Receiver receiver = map_coordinates(relative_position, normal);
+    vec3 towards = towards_light(relative_position);
+    vec3 to_light = normalize(towards);
     float facing = dot(normal, to_light);
-    float lit = facing > 0.0 ? 1.0 : 0.0;
-    if (facing > 0.0 && inside_map(receiver)) {
+    float cosine = -dot(cone_axis, to_light);
+    float lit = facing > 0.0 && cosine > cone_cosines.x ? 1.0 : 0.0;
+    if (lit > 0.0 && inside_map(receiver)) {
         lit = visibility(receiver);
     }
-    vec3 shaded = albedo * (ambient + radiance * max(facing, 0.0) * lit);
+    float arriving = max(facing, 0.0) * lit * falloff(length(towards), cosine);
+    vec3 shaded = albedo * (ambient + radiance * arriving);
     color = vec4(show(shaded, receiver, lit), 1.0);
     dump(receiver, relative_position, lit);
 }

@@ -2,11 +2,14 @@
 // one depth, so here M2 is only its square; it cannot be had from M1 any more
 // once texels have been averaged.
 
-in float depth;
+uniform int layer;
+
+in vec3 relative_position;
 
 layout(location = 0) out vec2 moments;
 
 void main()
 {
+    float depth = light_depth(relative_position, layer);
     moments = vec2(depth, depth * depth);
 }

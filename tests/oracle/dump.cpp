@@ -14,11 +14,33 @@ static glm::dvec4 row_of(const json &numbers)
             numbers.at(2).get<double>(), numbers.at(3).get<double>()};
 }
 
-static MapView view_of(const json &entry)
+static glm::dvec3 vec3_of_json(const json &numbers)
+{
+    return {numbers.at(0).get<double>(), numbers.at(1).get<double>(),
+            numbers.at(2).get<double>()};
+}
+
+static Lamp lamp_of(const std::string &name)
+{
+    if (name == "directional")
+        return Lamp::DIRECTIONAL;
+    if (name == "spot")
+        return Lamp::SPOT;
+    if (name == "point")
+        return Lamp::POINT;
+    throw BadInput("the oracle knows no light '" + name + "'");
+}
+
+static MapView view_of(const json &entry, Lamp lamp)
 {
     MapView view;
-    for (size_t i = 0; i < 3; i++)
+    view.lamp = lamp;
+    for (size_t i = 0; i < 4; i++)
         view.rows[i] = row_of(entry.at("map_from_relative").at(i));
+    view.position = glm::dvec3(0);
+    if (!view.parallel())
+        view.position = vec3_of_json(entry.at("position"));
+    view.cone = lamp == Lamp::SPOT ? entry.at("cone").get<double>() : 0;
     view.near = entry.at("near").get<double>();
     view.far = entry.at("far").get<double>();
     view.width = entry.at("width").get<int>();
@@ -101,15 +123,15 @@ static Run run_of(const json &root)
     Run run;
     run.step = root.at("step").get<int>();
     run.scene = root.at("scene").get<std::string>();
+    run.light = root.at("options").at("light").get<std::string>();
     run.settings = settings_of(root.at("options"), run.step);
     read_size(root.at("options"), run);
-    const json &origin = root.at("origin");
-    for (int i = 0; i < 3; i++)
-        run.origin[i] = origin.at(size_t(i)).get<double>();
+    run.origin = vec3_of_json(root.at("origin"));
     for (size_t i = 0; i < 4; i++)
         run.clip_from_relative[i] = row_of(root.at("clip_from_relative").at(i));
+    Lamp lamp = lamp_of(root.at("light").get<std::string>());
     for (const json &entry : root.at("views"))
-        run.views.push_back(view_of(entry));
+        run.views.push_back(view_of(entry, lamp));
     return run;
 }
 

@@ -10,13 +10,27 @@
 
 #include "tests/oracle/picture.h"
 
+enum class Lamp { DIRECTIONAL, SPOT, POINT };
+
 // One layer of the shadow map.
 struct MapView {
-    // Rows U, V, T of map_from_relative: u = dot(U.xyz, p) + U.w, and so on.
-    std::array<glm::dvec4, 3> rows;
-    double near, far;  // world units from the plane through the light's anchor
+    Lamp lamp;
+    // Rows U, V, Z, W of map_from_relative: u = U.(p, 1) / W.(p, 1), and so on.
+    // A parallel light's W is 0 0 0 1 and its Z is T: t = T.(p, 1). A spot's
+    // or point light's Z serves the depth test; t = (|p - position| - near) /
+    // (far - near).
+    std::array<glm::dvec4, 4> rows;
+    glm::dvec3 position; // of the light, relative
+    double cone;         // half of a spot's angle, radians
+    double near, far;  // world units from the plane through the light's anchor,
+                       // or from the light's position
     int width, height; // texels
     double border;     // texels
+
+    bool parallel() const
+    {
+        return lamp == Lamp::DIRECTIONAL;
+    }
 };
 
 enum class Blur { NONE, BOX, GAUSSIAN, BINOMIAL };
@@ -51,6 +65,7 @@ struct Run {
     std::string folder;
     int step;
     std::string scene; // as scene_create takes it
+    std::string light; // the same, empty: the scene's own
     Settings settings;
     int width, height; // of the picture, pixels
     glm::dvec3 origin; // world space, the camera's position

@@ -16,19 +16,75 @@ Interval rounded_dot(const glm::dvec3 &a, const glm::dvec3 &b)
     return widened(glm::dot(a, b), rounding_share(4) * size);
 }
 
-double cosine_to_light(const glm::dvec3 &normal, const MapView &view)
+glm::dvec3 towards_light(const MapView &view, const glm::dvec3 &point)
 {
-    glm::dvec3 t = direction(view.rows[2]);
-    return -glm::dot(normal, t) / glm::length(t);
+    if (view.parallel())
+        return -glm::normalize(direction(view.rows[2]));
+    return view.position - point;
+}
+
+double depth_size(const MapView &view, double extent)
+{
+    if (!view.parallel()) {
+        double length = std::sqrt(3.0) * extent + glm::length(view.position);
+        return 1 + (length + view.near) / (view.far - view.near);
+    }
+    double size = 1 + std::abs(view.rows[2].w);
+    for (int i = 0; i < 3; i++)
+        size += std::abs(view.rows[2][i]) * extent;
+    return size;
+}
+
+double cosine_to_light(const glm::dvec3 &normal, const MapView &view,
+                       const glm::dvec3 &point)
+{
+    return glm::dot(normal, glm::normalize(towards_light(view, point)));
+}
+
+// A cosine with the direction to a spot or point light. The direction: its
+// position rounded and a difference, against its length, then normalised by 5;
+// the rounded other vector, three products and two sums: 5 more.
+static Interval local_cosine(const glm::dvec3 &vector, const MapView &view,
+                             const glm::dvec3 &point)
+{
+    glm::dvec3 towards = view.position - point;
+    double length = glm::length(towards);
+    double size = (glm::length(view.position) + glm::length(point)) / length;
+    return widened(glm::dot(vector, towards) / length,
+                   rounding_share(2) * size + rounding_share(10));
+}
+
+static Facing side(Interval towards)
+{
+    if (towards.lo > 0)
+        return Facing::TOWARDS;
+    return towards.hi < 0 ? Facing::AWAY : Facing::UNKNOWN;
+}
+
+static Facing cone_side(const Receiver &receiver, const MapView &view)
+{
+    if (view.lamp != Lamp::SPOT)
+        return Facing::TOWARDS;
+    glm::dvec3 axis = direction(view.rows[3]);
+    Interval inside = Interval(0) -
+                      local_cosine(axis, view, receiver.position) -
+                      widened(std::cos(view.cone), UNIT_ROUNDOFF);
+    return side(inside);
 }
 
 Facing facing(const Receiver &receiver, const MapView &view)
 {
-    glm::dvec3 t = direction(view.rows[2]);
-    Interval dot = rounded_dot(receiver.normal, t / glm::length(t));
-    if (dot.hi < 0)
-        return Facing::TOWARDS;
-    return dot.lo > 0 ? Facing::AWAY : Facing::UNKNOWN;
+    if (view.parallel()) {
+        glm::dvec3 t = direction(view.rows[2]);
+        Interval away = rounded_dot(receiver.normal, t / glm::length(t));
+        return side(Interval(0) - away);
+    }
+    Facing surface =
+        side(local_cosine(receiver.normal, view, receiver.position));
+    Facing cone = cone_side(receiver, view);
+    if (surface == Facing::AWAY || cone == Facing::AWAY)
+        return Facing::AWAY;
+    return surface == Facing::TOWARDS ? cone : surface;
 }
 
 bool inside_map(const Receiver &r)
@@ -48,13 +104,95 @@ static Interval slope(const glm::dvec3 &normal, const glm::dvec3 &axis,
     return magnitude(along) / maximum(magnitude(depth), least);
 }
 
+namespace
+{
+
+// A vector, and how far (in length) 32-bit arithmetic may be off it.
+struct Rounded {
+    glm::dvec3 value;
+    double error;
+
+    double size() const
+    {
+        return glm::length(value) + error;
+    }
+};
+
+} // namespace
+
+// Two products and a difference in each of three components.
+static Rounded cross(const Rounded &a, const Rounded &b)
+{
+    double error = a.error * b.size() + b.error * a.size() +
+                   rounding_share(4) * a.size() * b.size();
+    return {glm::cross(a.value, b.value), error};
+}
+
+static Interval dot(const Rounded &a, const Rounded &b)
+{
+    double error = a.error * b.size() + b.error * a.size() +
+                   rounding_share(3) * a.size() * b.size();
+    return widened(glm::dot(a.value, b.value), error);
+}
+
+// The gradient of u = U.p / W.p: (U - u W) / (W.p). Both rows are rounded, and
+// so are the product and the difference; the quotient's own rounding, and that
+// of W.p, is a share of all.
+static Rounded gradient(const glm::dvec4 &row, double u, const MapView &view,
+                        const glm::dvec3 &p)
+{
+    glm::dvec3 along = direction(view.rows[3]);
+    double w = glm::dot(view.rows[3], glm::dvec4(p, 1));
+    double w_size = std::abs(view.rows[3].w);
+    for (int i = 0; i < 3; i++)
+        w_size += std::abs(along[i] * p[i]);
+    glm::dvec3 value = (direction(row) - u * along) / w;
+    double terms = (glm::length(direction(row)) + std::abs(u)) / w;
+    double share = rounding_share(6) * w_size / w + rounding_share(2);
+    return {value, rounding_share(4) * terms + share * glm::length(value)};
+}
+
+// |dt/du| and |dt/dv| of the receiver's plane under a perspective. On the plane
+// u and v are coordinates, so dt = (dt/du) du + (dt/dv) dv for every step in
+// it; the step along grad v x N has dv = 0, so dt/du is the ratio of what t and
+// u gain on it. N.(grad u x grad v) is held at a tenth of its largest value.
+static void local_slopes(const Receiver &r, const MapView &view,
+                         Interval &per_u, Interval &per_v)
+{
+    glm::dvec3 away = r.position - view.position;
+    double length = glm::length(away), range = view.far - view.near;
+    double sizes = glm::length(r.position) + glm::length(view.position);
+    Rounded t = {away / length / range,
+                 (rounding_share(2) * sizes / length + rounding_share(8)) /
+                     range};
+    Rounded u = gradient(view.rows[0], r.u, view, r.position);
+    Rounded v = gradient(view.rows[1], r.v, view, r.position);
+    Rounded n = {r.normal, 0}, ray = cross(u, v);
+    double least = 0.1 * glm::length(ray.value);
+    Interval hold = widened(least, 0.1 * ray.error + rounding_share(6) * least);
+    Interval facing = maximum(magnitude(dot(n, ray)), 0);
+    facing = {std::max(facing.lo, hold.lo), std::max(facing.hi, hold.hi)};
+    per_u = magnitude(dot(t, cross(v, n))) / facing;
+    per_v = magnitude(dot(t, cross(u, n))) / facing;
+}
+
+static void slopes(const Receiver &r, const MapView &view, Interval &per_u,
+                   Interval &per_v)
+{
+    if (!view.parallel())
+        return local_slopes(r, view, per_u, per_v);
+    glm::dvec3 t = direction(view.rows[2]);
+    per_u = slope(r.normal, direction(view.rows[0]), t);
+    per_v = slope(r.normal, direction(view.rows[1]), t);
+}
+
 Interval total_bias(const Receiver &receiver, const MapView &view, int width,
                     int height, int n, const Settings &settings)
 {
-    glm::dvec3 t = direction(view.rows[2]);
-    glm::dvec3 u = direction(view.rows[0]), v = direction(view.rows[1]);
-    Interval dx = slope(receiver.normal, u, t) / double(width);
-    Interval dy = slope(receiver.normal, v, t) / double(height);
+    Interval dx, dy;
+    slopes(receiver, view, dx, dy);
+    dx = dx / double(width);
+    dy = dy / double(height);
     double texels = settings.slope_bias * (n + 1) / 2;
     Interval bias = settings.bias + texels * (dx + dy);
     // Rounded squares (4 each), quotients, the least depth, sums and products:

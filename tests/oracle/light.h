@@ -8,13 +8,21 @@
 // dot(a, b) as a 32-bit program may have it, when b was rounded to float.
 Interval rounded_dot(const glm::dvec3 &a, const glm::dvec3 &b);
 
+// From the point to the light; for a parallel light of unit length.
+glm::dvec3 towards_light(const MapView &view, const glm::dvec3 &point);
+
+// The size of the numbers that a depth t is made of, where coordinates are up
+// to `extent`: the share of it by which 32-bit arithmetic can be off counts.
+double depth_size(const MapView &view, double extent);
+
 enum class Facing { TOWARDS, AWAY, UNKNOWN };
 
-// The sign of N.L, from the view's T row, which is the light's direction.
-// UNKNOWN where rounding can turn it: |N.L| within a few units of 0.
+// The sign of N.L; AWAY also outside a spot's cone. UNKNOWN where rounding can
+// turn it: |N.L|, or the distance to the cone, within a few units of 0.
 Facing facing(const Receiver &receiver, const MapView &view);
 
-double cosine_to_light(const glm::dvec3 &normal, const MapView &view);
+double cosine_to_light(const glm::dvec3 &normal, const MapView &view,
+                       const glm::dvec3 &point);
 
 // u, v and t all in [0, 1]; outside the map everything is lit.
 bool inside_map(const Receiver &receiver);

@@ -13,6 +13,10 @@ void check_receiver(const Run &run, Report &report);
 void check_view(const Run &run, const SceneTable &table, int layer,
                 Report &report);
 
+// The same for a spot or point light; check_view calls it.
+void check_local_view(const Run &run, const SceneTable &table, int layer,
+                      Report &report);
+
 // position.exr lies on the rays of the scene's camera.
 void check_camera(const Run &run, const SceneTable &table, Report &report);
 

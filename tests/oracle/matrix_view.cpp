@@ -151,6 +151,10 @@ void check_view(const Run &run, const SceneTable &table, int layer,
                 Report &report)
 {
     const MapView &view = run.views[size_t(layer)];
+    report.line(int(view.lamp) == int(table.scene.light.kind),
+                "the light is of the scene's kind", "%d", int(view.lamp));
+    if (!view.parallel())
+        return check_local_view(run, table, layer, report);
     double tolerance = double_error(run, table, view);
     check_depth_row(run, table, view, tolerance, report);
     check_orthogonal(view, report);

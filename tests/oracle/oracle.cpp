@@ -17,6 +17,7 @@
 #include "tests/oracle/mip_levels.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/scene_table.h"
+#include "tests/oracle/shading.h"
 #include "tests/oracle/stage.h"
 #include "tests/oracle/truth_checks.h"
 #include "tests/oracle/two_depths.h"
@@ -28,6 +29,7 @@ static const char *const USAGE =
     "  lower    step 5: p_max is not below the lit share of the texels\n"
     "  matrix   positions, the light's view and the camera\n"
     "  rays     depths, positions and visibility against ray casting\n"
+    "  shading  the picture from positions, normals and visibility\n"
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
     "  errors   CSV of visibility against every truth [rays=256] [write=DIR]\n"
@@ -55,7 +57,7 @@ static void run_stages(const Run &run, Report &report)
 
 static void run_matrices(const Run &run, Report &report)
 {
-    SceneTable table(run.scene);
+    SceneTable table(run.scene, run.light);
     check_receiver(run, report);
     for (size_t layer = 0; layer < run.views.size(); layer++)
         check_view(run, table, int(layer), report);
@@ -64,13 +66,21 @@ static void run_matrices(const Run &run, Report &report)
 
 static void run_rays(const Run &run, Report &report)
 {
-    SceneTable table(run.scene);
+    SceneTable table(run.scene, run.light);
     RayScene rays(table.scene, run.origin);
     double extent = scene_extent(table.scene, run.origin);
     for (size_t layer = 0; layer < run.views.size(); layer++)
         check_ray_depths(run, rays, extent, int(layer), report);
     check_ray_positions(run, table.scene, rays, extent, report);
     check_ray_visibility(run, table.scene, rays, extent, report);
+}
+
+static void run_shading(const Run &run, Report &report)
+{
+    SceneTable table(run.scene, run.light);
+    RayScene rays(table.scene, run.origin);
+    double extent = scene_extent(table.scene, run.origin);
+    check_shading(run, table.scene, rays, extent, report);
 }
 
 // Prints a table instead of lines that pass or fail.
@@ -112,13 +122,15 @@ static void run_check(const std::string &check, const std::string &folder,
         run_matrices(run, report);
     } else if (check == "rays") {
         run_rays(run, report);
+    } else if (check == "shading") {
+        run_shading(run, report);
     } else if (check == "edge") {
-        check_edge(run, SceneTable(run.scene), report);
+        check_edge(run, SceneTable(run.scene, run.light), report);
     } else if (bleed) {
         double r = arguments.number("r", -1);
         if (r <= 0)
             throw BadInput("bleed needs r=R, the ratio of the gaps");
-        check_bleed(run, SceneTable(run.scene), r, report);
+        check_bleed(run, SceneTable(run.scene, run.light), r, report);
     } else {
         throw BadInput("no check '" + check + "'");
     }

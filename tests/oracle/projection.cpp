@@ -35,12 +35,30 @@ double PictureCamera::focal_length() const
 glm::dvec3 map_point(const MapView &view, const glm::dvec3 &relative)
 {
     glm::dvec4 p(relative, 1);
-    return {glm::dot(view.rows[0], p), glm::dot(view.rows[1], p),
-            glm::dot(view.rows[2], p)};
+    double w = glm::dot(view.rows[3], p);
+    double t = glm::dot(view.rows[2], p);
+    if (!view.parallel())
+        t = (glm::distance(relative, view.position) - view.near) /
+            (view.far - view.near);
+    return {glm::dot(view.rows[0], p) / w, glm::dot(view.rows[1], p) / w, t};
+}
+
+// Where u is constant U - u W is 0: a plane through the light. Two such planes
+// meet in the ray.
+static glm::dvec3 direction_of_map(const MapView &view, double u, double v)
+{
+    glm::dvec3 axis(view.rows[3]);
+    glm::dvec3 across = glm::dvec3(view.rows[0]) - u * axis;
+    glm::dvec3 up = glm::dvec3(view.rows[1]) - v * axis;
+    glm::dvec3 ray = glm::normalize(glm::cross(across, up));
+    return glm::dot(ray, axis) < 0 ? -ray : ray;
 }
 
 glm::dvec3 point_of_map(const MapView &view, const glm::dvec3 &map)
 {
+    if (!view.parallel())
+        return view.position + (view.near + map.z * (view.far - view.near)) *
+                                   direction_of_map(view, map.x, map.y);
     glm::dmat3 columns(glm::dvec3(view.rows[0]), glm::dvec3(view.rows[1]),
                        glm::dvec3(view.rows[2]));
     glm::dvec3 shift(view.rows[0].w, view.rows[1].w, view.rows[2].w);

@@ -1,7 +1,7 @@
 #include <algorithm> // max
-#include <cmath>     // abs
 
 #include "tests/oracle/chebyshev_bound.h" // store_share
+#include "tests/oracle/light.h"           // depth_size
 #include "tests/oracle/projection.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/ray_compare.h"
@@ -14,22 +14,13 @@ Ray map_ray(const MapView &view, double u, double v, double start)
     return {point_of_map(view, {u, v, start}), along};
 }
 
-// A depth in 32-bit arithmetic: the vertices' rounding, the blend of three,
-// and the dot product with T; 16 units of the numbers' size.
-static double depth_rounding(const MapView &view, double extent)
-{
-    double size = std::abs(view.rows[2].w) + 1;
-    for (int i = 0; i < 3; i++)
-        size += std::abs(view.rows[2][i]) * extent;
-    return rounding_share(16) * size;
-}
-
 void check_ray_depths(const Run &run, const RayScene &rays, double extent,
                       int layer, Report &report)
 {
     const MapView &view = run.views[size_t(layer)];
     Picture map = load_map(run, layer);
-    double rounding = depth_rounding(view, extent);
+    // The vertices' rounding, the blend of three, and the depth's formula.
+    double rounding = rounding_share(16) * depth_size(view, extent);
     // A surface may lie exactly in the near plane: start a little before it.
     double start = -std::max(rounding, 1e-6);
     rounding += store_share(run.settings); // depths are at most 1

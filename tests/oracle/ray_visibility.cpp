@@ -17,6 +17,26 @@ struct Tally {
     double darkest_lit = 1, brightest_shadowed = 0;
 };
 
+// The plane through the receiver, across its true normal.
+struct OwnPlane {
+    const Receiver &receiver;
+    const MapView &view;
+    glm::dvec3 normal;
+
+    // The depth where the light's ray through u, v meets it; infinite where
+    // it does not.
+    double at(double u, double v) const
+    {
+        Ray ray = map_ray(view, u, v, 0);
+        double along = glm::dot(normal, ray.direction);
+        double t = glm::dot(normal, receiver.position - ray.origin) / along;
+        // The light itself is at distance 0.
+        bool behind =
+            !view.parallel() && t < -view.near / (view.far - view.near);
+        return along == 0 || behind ? INFINITY : t;
+    }
+};
+
 struct RayContext { // what does not change from pixel to pixel
     const Run &run;
     const RayScene &rays;
@@ -41,18 +61,18 @@ static int filter_reach(const Run &run)
 // receiver, by more than the bias. Mixtures, and occluders within the bias, are
 // APART.
 static Truth texels_in_reach(const IdealMap &map, int reach,
-                             const MapPlane &plane, double bias,
+                             const OwnPlane &plane, double bias,
                              double rounding)
 {
     int width = map.width(), height = map.height();
-    int centre_x = int(std::floor(plane.u * width));
-    int centre_y = int(std::floor(plane.v * height));
+    int centre_x = int(std::floor(plane.receiver.u * width));
+    int centre_y = int(std::floor(plane.receiver.v * height));
     bool lit = true, shadowed = true;
     for (int y = centre_y - reach; y <= centre_y + reach; y++)
         for (int x = centre_x - reach; x <= centre_x + reach; x++) {
             double own = plane.at((x + 0.5) / width, (y + 0.5) / height);
             double depth = map.at(x, y);
-            double nearest = std::min(own, plane.t);
+            double nearest = std::min(own, plane.receiver.t);
             lit = lit && depth >= own - rounding;
             shadowed = shadowed && depth < nearest - bias - rounding;
         }
@@ -65,11 +85,11 @@ static Truth texels_in_reach(const IdealMap &map, int reach,
 static bool in_shadow(const RayContext &context, const Receiver &r,
                       const MapView &view, const glm::dvec3 &normal)
 {
-    glm::dvec3 t = glm::dvec3(view.rows[2]);
     // Off the surface by more than the position's and Embree's rounding.
     double lift = rounding_share(64) * context.extent;
-    return context.rays.occluded(
-        {r.position + lift * normal, -t / glm::length(t)});
+    glm::dvec3 start = r.position + lift * normal;
+    return context.rays.occluded({start, towards_light(view, start)},
+                                 view.parallel() ? INFINITY : 1);
 }
 
 // The normal of the triangle seen through the pixel, towards the viewer; 0
@@ -87,7 +107,7 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
                       const MapView &view, const IdealMap &map,
                       const glm::dvec3 &normal)
 {
-    MapPlane plane = plane_of({r.u, r.v, r.t}, view, normal);
+    OwnPlane plane{r, view, normal};
     const Settings &settings = context.run.settings;
     double bias = 0;
     if (context.run.step <= 4)
@@ -96,10 +116,7 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
                           settings)
                    .hi;
     // Of the position, as a depth, and of the plane's slope over the reach.
-    double size = 1 + std::abs(view.rows[2].w);
-    for (int i = 0; i < 3; i++)
-        size += std::abs(view.rows[2][i]) * context.extent;
-    double rounding = rounding_share(32) * size;
+    double rounding = rounding_share(32) * depth_size(view, context.extent);
     Truth truth =
         texels_in_reach(map, filter_reach(context.run), plane, bias, rounding);
     bool dark = in_shadow(context, r, view, normal);
@@ -160,8 +177,10 @@ void check_ray_visibility(const Run &run, const Scene &scene,
             const MapView &view = run.views[size_t(r.layer)];
             glm::dvec3 normal = true_normal(context, x, y);
             // Grazing light: facets and the bias' own limit decide, not rays.
-            if (cosine_to_light(r.normal, view) < 0.1 ||
-                cosine_to_light(normal, view) < 0.1)
+            // Outside a spot's cone it is dark, whatever the rays say.
+            if (cosine_to_light(r.normal, view, r.position) < 0.1 ||
+                cosine_to_light(normal, view, r.position) < 0.1 ||
+                facing(r, view) != Facing::TOWARDS)
                 continue;
             const IdealMap &map = maps[size_t(r.layer)];
             count(truth_of(context, r, view, map, normal), r.visibility, tally);

@@ -19,9 +19,11 @@ extern "C" {
 struct SceneTable {
     Scene scene;
 
-    explicit SceneTable(const std::string &text)
+    // `light` replaces the kind of its light; empty: its own.
+    explicit SceneTable(const std::string &text, const std::string &light = "")
     {
-        scene_create(&scene, text.c_str());
+        scene_create(&scene, text.c_str(),
+                     light.empty() ? nullptr : light.c_str());
     }
     ~SceneTable()
     {

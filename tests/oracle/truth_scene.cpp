@@ -1,18 +1,21 @@
 #include <cmath> // abs
 
 #include "tests/oracle/light.h"
+#include "tests/oracle/report.h" // BadInput
 #include "tests/oracle/rounding.h"
 #include "tests/oracle/truth.h"
 
 static constexpr double GRAZING = 0.1; // N.L
 
 TruthScene::TruthScene(const Run &the_run)
-    : run(the_run), table(run.scene), rays(table.scene, run.origin),
+    : run(the_run), table(run.scene, run.light), rays(table.scene, run.origin),
       camera(table.scene.camera, run.width, run.height), receivers(run),
       extent(scene_extent(table.scene, run.origin)),
       // Embree's vertices and the ray's origin are off by a unit each.
       lift(rounding_share(16) * extent)
 {
+    if (!run.views.at(0).parallel())
+        throw BadInput("the truths are made for a directional light only");
     for (const MapView &view : run.views)
         ideal.emplace_back(view, rays);
 }
@@ -54,23 +57,15 @@ Pixel TruthScene::pixel(int x, int y) const
         return pixel;
     pixel.counts = true;
     pixel.surface = surface_at(*this, x, y, r);
-    pixel.grazing = cosine_to_light(r.normal, view(r)) < GRAZING ||
-                    cosine_to_light(pixel.surface.normal, view(r)) < GRAZING;
+    pixel.grazing =
+        cosine_to_light(r.normal, view(r), r.position) < GRAZING ||
+        cosine_to_light(pixel.surface.normal, view(r), r.position) < GRAZING;
     return pixel;
 }
 
 bool TruthScene::lit(const glm::dvec3 &point, const glm::dvec3 &towards) const
 {
     return !rays.occluded({point, towards});
-}
-
-// The numbers that a depth is made of: coordinates up to `extent`, times T.
-static double depth_size(const MapView &view, double extent)
-{
-    double size = 1 + std::abs(view.rows[2].w);
-    for (int i = 0; i < 3; i++)
-        size += std::abs(view.rows[2][i]) * extent;
-    return size;
 }
 
 double TruthScene::tie_rounding(const MapView &view) const

@@ -42,6 +42,13 @@ my %OPTIONS = (
         bad     => [ 'nope', '' ],    # the rest is in scenes.t
         allowed => qr/--list-scenes|NAME/,
     },
+    light => {
+        steps   => [ 1 .. 5 ],
+        differ  => [ 'spot', 'point' ],
+        same    => ['directional'],
+        bad     => [ 'area', '', 'spot,point', 'Spot' ],
+        allowed => qr/directional,\s?spot,\s?point/,
+    },
     'list-scenes' => { steps => [ 1 .. 5 ] },    # in scenes.t
     window        => { steps => [ 1 .. 5 ] },    # in window.t
     size          => {
@@ -371,7 +378,7 @@ sub check_help {
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent =
       grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
-      qw(bilinear dump help list-scenes mips sat shaders window);
+      qw(bilinear dump help light list-scenes mips sat shaders window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;

@@ -1,0 +1,13 @@
+// How each kind of light sees the scene: its views, which views_fit fits.
+#ifndef BASE_LIGHT_VIEW_H
+#define BASE_LIGHT_VIEW_H
+
+#include "step1_shadowmap/base/view.h" // Views
+
+// Each sets the layers, their matrices and depths, and the light's position;
+// origin, map size and border have been set.
+void fit_directional(Views *views, const Scene *scene);
+void fit_spot(Views *views, const Scene *scene);
+void fit_point(Views *views, const Scene *scene);
+
+#endif
