@@ -41,10 +41,9 @@ static void create(void)
     static const char *const visibility[] = {
         "step1_shadowmap/shaders/bias.glsl",
         "step1_shadowmap/shaders/hard.glsl", NULL};
-    scene_create(&state.scene, state.base.scene, state.base.light);
+    base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
-              REACH);
+    views_fit(&state.views, &state.scene, &state.base, REACH);
     state.geometry = geometry_create(&state.scene);
     state.map =
         shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
@@ -97,8 +96,7 @@ static void run_window(void)
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
-        views_fit(&state.views, &state.scene, state.base.size,
-                  state.base.map_size, REACH);
+        views_fit(&state.views, &state.scene, &state.base, REACH);
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

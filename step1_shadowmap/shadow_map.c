@@ -63,6 +63,8 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
 {
     static const float far_depth[4] = {1, 1, 1, 1};
     glEnable(GL_DEPTH_TEST);
+    // What is before the near plane of a split still casts into it.
+    glEnable(GL_DEPTH_CLAMP);
     glViewport(0, 0, map->width, map->height);
     glUseProgram(map->program.id);
     view_set_light(map->program.id, views);
@@ -74,6 +76,7 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
         glUniform1i(layer_uniform, layer);
         geometry_draw(geometry, scene, views->origin, map->program.id);
     }
+    glDisable(GL_DEPTH_CLAMP);
 }
 
 bool shadow_map_reload(ShadowMap *map)

@@ -42,10 +42,9 @@ static void create(void)
     const char *const visibility[] = {"step1_shadowmap/shaders/bias.glsl",
                                       "step2_pcf/shaders/map_depth.glsl",
                                       pcf_shader(&state.pcf), NULL};
-    scene_create(&state.scene, state.base.scene, state.base.light);
+    base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
-              pcf_reach(&state.pcf));
+    views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));
     state.geometry = geometry_create(&state.scene);
     state.map =
         shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
@@ -98,8 +97,8 @@ static void run_window(void)
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
-        views_fit(&state.views, &state.scene, state.base.size,
-                  state.base.map_size, pcf_reach(&state.pcf));
+        views_fit(&state.views, &state.scene, &state.base,
+                  pcf_reach(&state.pcf));
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

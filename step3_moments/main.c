@@ -45,10 +45,9 @@ static void create(void)
         "step1_shadowmap/shaders/bias.glsl",
         "step3_moments/shaders/lookup_bilinear.glsl",
         "step3_moments/shaders/mean.glsl", NULL};
-    scene_create(&state.scene, state.base.scene, state.base.light);
+    base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
-              REACH);
+    views_fit(&state.views, &state.scene, &state.base, REACH);
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(base_shader_files(&state.base), &state.views,
                                &state.moments);
@@ -99,8 +98,7 @@ static void run_window(void)
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
-        views_fit(&state.views, &state.scene, state.base.size,
-                  state.base.map_size, REACH);
+        views_fit(&state.views, &state.scene, &state.base, REACH);
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

@@ -51,10 +51,9 @@ static void create(void)
         "step1_shadowmap/shaders/bias.glsl"};
     blur_picture_shaders(&state.blur, "step3_moments/shaders/mean.glsl",
                          &visibility[1]);
-    scene_create(&state.scene, state.base.scene, state.base.light);
+    base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
-              blur_reach(&state.blur));
+    views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(base_shader_files(&state.base), &state.views,
                                &state.moments);
@@ -112,8 +111,8 @@ static void run_window(void)
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
-        views_fit(&state.views, &state.scene, state.base.size,
-                  state.base.map_size, blur_reach(&state.blur));
+        views_fit(&state.views, &state.scene, &state.base,
+                  blur_reach(&state.blur));
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

@@ -52,10 +52,9 @@ static void create(void)
         chebyshev_reduction_shader(&state.chebyshev)};
     blur_picture_shaders(&state.blur, "step5_chebyshev/shaders/chebyshev.glsl",
                          &visibility[1]);
-    scene_create(&state.scene, state.base.scene, state.base.light);
+    base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, state.base.size, state.base.map_size,
-              blur_reach(&state.blur));
+    views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(base_shader_files(&state.base), &state.views,
                                &state.moments);
@@ -114,8 +113,8 @@ static void run_window(void)
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
-        views_fit(&state.views, &state.scene, state.base.size,
-                  state.base.map_size, blur_reach(&state.blur));
+        views_fit(&state.views, &state.scene, &state.base,
+                  blur_reach(&state.blur));
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

@@ -144,6 +144,28 @@ my %mutants = (
         'behind > 0.0 ? p_max : 1.0',
         'behind < 0.0 ? p_max : 1.0'
     ],
+    'the last split for all' => [
+        'splits', 'step1_shadowmap/shaders/layer_split.glsl',
+        'depth > split_range[layer].y', 'true'
+    ],
+    'a hand-over to the wrong side' => [
+        'splits', 'step1_shadowmap/shaders/layer_split.glsl',
+        'smoothstep(split_range[layer].x, split_range[layer].y',
+        'smoothstep(split_range[layer].y, split_range[layer].x'
+    ],
+    'a hand-over that is not made' => [
+        'splits', 'step1_shadowmap/shaders/scene.frag',
+        'mix(lit, map_visibility(next), share)', 'lit'
+    ],
+    'handed over to itself' => [
+        'splits', 'step1_shadowmap/shaders/scene.frag',
+        'normal, layer + 1', 'normal, layer'
+    ],
+    'before the near plane is behind' => [
+        'splits', 'step1_shadowmap/shaders/light_depth.glsl',
+        'clamp(light_depth(relative_position, layer), 0.0, 1.0)',
+        'fract(light_depth(relative_position, layer))'
+    ],
     'the opposite view of a point light' => [
         'lights', 'step1_shadowmap/shaders/layer_face.glsl',
         'from_light[axis] < 0.0', 'from_light[axis] > 0.0'

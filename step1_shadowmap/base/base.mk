@@ -12,12 +12,14 @@ base := \
     step1_shadowmap/base/light_view.h \
     step1_shadowmap/base/light_parallel.c \
     step1_shadowmap/base/light_local.c \
+    step1_shadowmap/base/light_splits.c \
     step1_shadowmap/base/region.h step1_shadowmap/base/region.c \
     step1_shadowmap/base/dvec.h \
     step1_shadowmap/base/geometry.h step1_shadowmap/base/geometry.c \
     step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
     step1_shadowmap/shaders/layer_only.glsl \
     step1_shadowmap/shaders/layer_face.glsl \
+    step1_shadowmap/shaders/layer_split.glsl \
     step1_shadowmap/shaders/show_shaded.glsl \
     step1_shadowmap/shaders/show_visibility.glsl \
     step1_shadowmap/shaders/show_depth.glsl \

@@ -72,6 +72,10 @@ static void write_views(FILE *file, const Views *views, const Light *light)
                 view->near, view->far, views->width, views->height,
                 views->border);
         write_place(file, views, light);
+        if (view->end > 0) {
+            fprintf(file, ", \"handover\": %.17g, \"end\": %.17g",
+                    view->handover, view->end);
+        }
         fputs("}", file);
     }
     fputs("],\n", file);

@@ -10,4 +10,8 @@ void fit_directional(Views *views, const Scene *scene);
 void fit_spot(Views *views, const Scene *scene);
 void fit_point(Views *views, const Scene *scene);
 
+// A directional light's views, each of a part of the way that the camera sees
+// (Zhang 2006); `aspect` is the picture's width over its height.
+void fit_splits(Views *views, const Scene *scene, double aspect, int count);
+
 #endif

@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/scene.h"
 
-#include <math.h>   // cos, hypot, sin, sqrt
+#include <math.h>   // cos, fmax, fmin, hypot, sin, sqrt, INFINITY
 #include <stdlib.h> // strtod
 #include <string.h> // memset, strchr, strcmp, strcspn, strncmp
 
@@ -188,6 +188,7 @@ static void move_world(Scene *scene, double scale, double offset)
     move_point(scene->light.anchor, scale, offset);
     move_point(scene->light.position, scale, offset);
     scene->light.reference *= scale;
+    scene->camera.reach *= scale;
     scene->light.near *= scale;
     scene->light.far *= scale;
     for (int i = 0; i < scene->object_count; i++) {
@@ -199,6 +200,44 @@ static void move_world(Scene *scene, double scale, double offset)
             m[3] = m[3] * scale + offset;
         }
     }
+}
+
+// Widens a box by an object, in world space.
+static void include_object(const Object *object, double low[3], double high[3])
+{
+    for (size_t i = 0; i < object->mesh->vertex_count; i++) {
+        const float *p = object->mesh->vertices[i].position;
+        for (int row = 0; row < 3; row++) {
+            const double *m = object->transform[row];
+            double x = m[0] * (double)p[0] + m[1] * (double)p[1] +
+                       m[2] * (double)p[2] + m[3];
+            low[row] = fmin(low[row], x);
+            high[row] = fmax(high[row], x);
+        }
+    }
+}
+
+// How far the camera is from the far end of the box of the casters, or of
+// everything if nothing casts: there all shadows are within reach.
+static double distance_to_all(const Scene *scene)
+{
+    double low[3] = {INFINITY, INFINITY, INFINITY};
+    double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double middle[3];
+    bool any = false;
+    for (int i = 0; i < scene->object_count; i++) {
+        any = any || scene->objects[i].casts;
+    }
+    for (int i = 0; i < scene->object_count; i++) {
+        if (scene->objects[i].casts || !any) {
+            include_object(&scene->objects[i], low, high);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        middle[k] = 0.5 * (low[k] + high[k]);
+    }
+    return distance_between(scene->camera.position, middle) +
+           0.5 * distance_between(low, high);
 }
 
 void scene_create(Scene *scene, const char *text, const char *light)
@@ -219,6 +258,9 @@ void scene_create(Scene *scene, const char *text, const char *light)
         replace_light(scene, find_kind(light));
     }
     move_world(scene, common[KEY_SCALE], common[KEY_OFFSET]);
+    if (scene->camera.reach == 0) {
+        scene->camera.reach = 1.1 * distance_to_all(scene);
+    }
 }
 
 void scene_destroy(Scene *scene)

@@ -15,6 +15,8 @@ typedef struct Camera {
     double target[3];   // world space, the centre of the picture
     double up[3];       // world space, not parallel to the view direction
     double fov_y;       // whole vertical field of view, radians
+    double reach; // view depth where the shadows of splits have faded, world
+                  // units; does not change when the camera moves
 } Camera;
 
 typedef enum LightKind { LIGHT_DIRECTIONAL, LIGHT_SPOT, LIGHT_POINT } LightKind;

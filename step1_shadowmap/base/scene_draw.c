@@ -15,6 +15,9 @@ const char scene_draw_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
 // A spot loses its brightness between this part of its cone and the edge.
 #define BRIGHT_PART 0.8
 
+// The places in the list below that need a name.
+enum { OUTPUT_IMAGE = 0, OUTPUT_FOOTPRINT = 5, OUTPUT_HANDOVER = 6 };
+
 // What the fragment shader writes, in the order of its output locations.
 static const struct {
     const char *name;
@@ -27,12 +30,9 @@ static const struct {
     {"position", GL_RGBA32F, 3, {0, 0, 0, 0}},
     {"normal", GL_RGBA32F, 3, {0, 0, 0, 0}},
     {"visibility", GL_R32F, 1, {1, 1, 1, 1}},
-    {"footprint", GL_RGBA32F, 4, {0, 0, 0, 0}}, // last: not always there
+    {"footprint", GL_RGBA32F, 4, {0, 0, 0, 0}}, // where it is used
+    {"handover", GL_RGBA32F, 4, {0, 0, 0, 0}},  // of splits
 };
-
-static const GLenum draw_buffers[SCENE_DRAW_OUTPUTS] = {
-    GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-    GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5};
 
 static bool uses_footprint(const char *const visibility[])
 {
@@ -43,20 +43,27 @@ static bool uses_footprint(const char *const visibility[])
     return found;
 }
 
-static int count_outputs(const BaseSettings *settings,
-                         const char *const visibility[])
+// The attachment of each output, or none.
+static void choose_outputs(SceneDraw *draw, const BaseSettings *settings,
+                           const char *const visibility[])
 {
-    if (settings->dump == NULL) {
-        return 1;
+    bool dumped = settings->dump != NULL;
+    for (int i = 0; i < SCENE_DRAW_OUTPUTS; i++) {
+        bool used = i == OUTPUT_IMAGE || dumped;
+        used = used && (i != OUTPUT_FOOTPRINT || uses_footprint(visibility));
+        used = used && (i != OUTPUT_HANDOVER || settings->splits > 1);
+        draw->buffers[i] = used ? GL_COLOR_ATTACHMENT0 + (GLenum)i : GL_NONE;
     }
-    return SCENE_DRAW_OUTPUTS - (uses_footprint(visibility) ? 0 : 1);
 }
 
 // How a position finds its layer of the map.
-static const char *layer_shader(LightKind kind)
+static const char *layer_shader(const BaseSettings *settings, LightKind kind)
 {
-    return kind == LIGHT_POINT ? "step1_shadowmap/shaders/layer_face.glsl"
-                               : "step1_shadowmap/shaders/layer_only.glsl";
+    if (kind == LIGHT_POINT) {
+        return "step1_shadowmap/shaders/layer_face.glsl";
+    }
+    return settings->splits > 1 ? "step1_shadowmap/shaders/layer_split.glsl"
+                                : "step1_shadowmap/shaders/layer_only.glsl";
 }
 
 static Program create_program(const BaseSettings *settings, LightKind kind,
@@ -66,7 +73,8 @@ static Program create_program(const BaseSettings *settings, LightKind kind,
                                          NULL};
     const ShowMode *mode = base_show_mode(settings);
     const char *fragment[MAX_FILES] = {
-        "step1_shadowmap/shaders/light_depth.glsl", layer_shader(kind),
+        "step1_shadowmap/shaders/light_depth.glsl",
+        layer_shader(settings, kind),
         "step1_shadowmap/shaders/map_coordinates.glsl"};
     int count = 3;
     for (int i = 0; visibility[i] != NULL; i++) {
@@ -93,10 +101,13 @@ static void create_framebuffer(SceneDraw *draw)
 {
     glGenFramebuffers(1, &draw->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
-    for (int i = 0; i < draw->output_count; i++) {
+    for (int i = 0; i < SCENE_DRAW_OUTPUTS; i++) {
+        if (draw->buffers[i] == GL_NONE) {
+            continue;
+        }
         draw->outputs[i] =
             gl_texture(outputs[i].format, draw->width, draw->height);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, draw_buffers[i], GL_TEXTURE_2D,
+        glFramebufferTexture2D(GL_FRAMEBUFFER, draw->buffers[i], GL_TEXTURE_2D,
                                draw->outputs[i], 0);
     }
     draw->depth_buffer = gl_depth_buffer(draw->width, draw->height);
@@ -109,9 +120,8 @@ SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
                             const char *const visibility[])
 {
     gl_check_size("size", settings->size[0], settings->size[1]);
-    SceneDraw draw = {.width = settings->size[0],
-                      .height = settings->size[1],
-                      .output_count = count_outputs(settings, visibility)};
+    SceneDraw draw = {.width = settings->size[0], .height = settings->size[1]};
+    choose_outputs(&draw, settings, visibility);
     draw.program = create_program(settings, kind, visibility);
     draw.shaded = strcmp(settings->show, "shaded") == 0;
     draw.legend =
@@ -155,8 +165,8 @@ static void clear(const SceneDraw *draw, const Scene *scene)
         memcpy(background, scene->background, sizeof scene->background);
     }
     glClearBufferfv(GL_COLOR, 0, background);
-    for (int i = 1; i < draw->output_count; i++) {
-        glClearBufferfv(GL_COLOR, i, outputs[i].empty);
+    for (int i = 1; i < SCENE_DRAW_OUTPUTS; i++) {
+        glClearBufferfv(GL_COLOR, i, outputs[i].empty); // if it is there
     }
     const float far_depth = 1;
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
@@ -167,7 +177,7 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
 {
     glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
     glViewport(0, 0, draw->width, draw->height);
-    glDrawBuffers(draw->output_count, draw_buffers);
+    glDrawBuffers(SCENE_DRAW_OUTPUTS, draw->buffers);
     clear(draw, scene);
     glEnable(GL_DEPTH_TEST);
     glUseProgram(draw->program.id);
@@ -192,7 +202,10 @@ void scene_draw_write(const SceneDraw *draw, const char *path)
 
 void scene_draw_dump(const SceneDraw *draw, const char *directory)
 {
-    for (int i = 0; i < draw->output_count; i++) {
+    for (int i = 0; i < SCENE_DRAW_OUTPUTS; i++) {
+        if (draw->buffers[i] == GL_NONE) {
+            continue;
+        }
         float *pixels = gl_read(draw->framebuffer, i, draw->width, draw->height,
                                 outputs[i].channels);
         dump_image(directory, outputs[i].name, pixels, draw->width,
@@ -205,7 +218,7 @@ void scene_draw_destroy(SceneDraw *draw)
 {
     legend_destroy(&draw->legend);
     glDeleteRenderbuffers(1, &draw->depth_buffer);
-    glDeleteTextures(draw->output_count, draw->outputs);
+    glDeleteTextures(SCENE_DRAW_OUTPUTS, draw->outputs);
     glDeleteFramebuffers(1, &draw->framebuffer);
     gl_program_destroy(&draw->program);
     *draw = (SceneDraw){0};

@@ -7,7 +7,7 @@
 #include "step1_shadowmap/base/settings.h" // BaseSettings
 #include "step1_shadowmap/base/view.h"     // Views
 
-enum { SCENE_DRAW_OUTPUTS = 6 };
+enum { SCENE_DRAW_OUTPUTS = 7 };
 
 // The shader file with vec4 footprint(Receiver), for a visibility() that needs
 // to know how far apart the pixels are in the map.
@@ -18,7 +18,7 @@ typedef struct SceneDraw {
     GLuint framebuffer;
     GLuint depth_buffer;
     GLuint outputs[SCENE_DRAW_OUTPUTS]; // picture; with --dump the rest too
-    int output_count;
+    GLenum buffers[SCENE_DRAW_OUTPUTS]; // their attachments, or GL_NONE
     bool shaded; // --show shaded: the scene has a background
     Legend legend;
     int width, height; // pixels
@@ -41,8 +41,8 @@ bool scene_draw_reload(SceneDraw *draw);
 void scene_draw_write(const SceneDraw *draw, const char *path);
 
 // Writes receiver, position, normal, visibility and image (.exr) into the
-// directory, and footprint where the list has scene_draw_footprint; needs a
-// SceneDraw made with --dump.
+// directory, footprint where the list has scene_draw_footprint, and handover
+// where there are splits; needs a SceneDraw made with --dump.
 void scene_draw_dump(const SceneDraw *draw, const char *directory);
 
 void scene_draw_destroy(SceneDraw *draw);

@@ -12,6 +12,7 @@
 enum { THIN_THICKNESS };
 enum { FENCE_PICKETS };
 enum { CROWD_TRIANGLES };
+enum { AVENUE_WALK, AVENUE_TURN };
 
 static const Mesh *add_mesh(Scene *scene, Mesh mesh)
 {
@@ -283,10 +284,15 @@ static void build_grazing(Scene *scene, const double values[])
 // Two rows of columns along a road that leads away from the camera.
 static void build_avenue(Scene *scene, const double values[])
 {
-    (void)values;
-    const double eye[3] = {0.8, 1.7, 4.0};
-    const double target[3] = {-0.4, 1.1, -10};
+    double angle = RADIANS(values[AVENUE_TURN]);
+    const double eye[3] = {0.8, 1.7, 4.0 - values[AVENUE_WALK]};
+    const double ahead[3] = {-1.2, -0.6, -14};
+    const double target[3] = {
+        eye[0] + cos(angle) * ahead[0] - sin(angle) * ahead[2],
+        eye[1] + ahead[1],
+        eye[2] + sin(angle) * ahead[0] + cos(angle) * ahead[2]};
     set_camera(scene, eye, target, 50);
+    scene->camera.reach = 70; // past the last column
     set_light(scene, 0.7, -0.6, -0.35);
     Object *ground = add_floor(scene, add_mesh(scene, mesh_plane()));
     ground->transform[0][0] = ground->transform[2][2] = 300;
@@ -500,7 +506,11 @@ const SceneEntry scene_table[] = {
      build_fence,
      {{"pickets", 1, 400, 160, "along 2.4 world units"}}},
     {"grazing", "a light almost parallel to a floor", build_grazing, {{0}}},
-    {"avenue", "a long view down two rows of columns", build_avenue, {{0}}},
+    {"avenue",
+     "a long view down two rows of columns",
+     build_avenue,
+     {{"walk", 0, 40, 0, "the camera's way down the avenue, world units"},
+      {"turn", -60, 60, 0, "of the camera to the right, degrees"}}},
     {"stage", "a teapot on a stage in a spot light", build_stage, {{0}}},
     {"room", "a point light inside a closed room", build_room, {{0}}},
     {"crowd",

@@ -7,7 +7,7 @@
 #include "step1_shadowmap/base/die.h"  // die_usage
 #include "step1_shadowmap/base/file.h" // file_is_directory, file_make_directory
 #include "step1_shadowmap/base/image.h"     // image_name_is_known
-#include "step1_shadowmap/base/scene.h"     // scene_list
+#include "step1_shadowmap/base/scene.h"     // scene_create, scene_list
 #include "step1_shadowmap/base/stopwatch.h" // STOPWATCH_MAX_FRAMES
 
 enum { MAX_SIDE = 32768 };
@@ -23,6 +23,15 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, light),
      .choices = "directional,spot,point",
      .help = "the kind of light, in place of the scene's own"},
+    {.name = "splits",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BaseSettings, splits),
+     .minimum = 1,
+     .maximum = SETTINGS_MAX_SPLITS,
+     .argument = "N",
+     .help =
+         "parts of the view with a map each, of a directional light; 1: one "
+         "map, of everything that casts"},
     {.name = "list-scenes",
      .kind = OPTION_FLAG,
      .offset = offsetof(BaseSettings, list_scenes),
@@ -126,6 +135,7 @@ BaseSettings base_settings(const char *output, const ShowMode *more_shows)
                           .map_size = {512, 512},
                           .output = output,
                           .show = "shaded",
+                          .splits = 1,
                           .context = "osmesa"};
 }
 
@@ -158,6 +168,17 @@ void base_settings_check(const BaseSettings *settings)
     }
     if (settings->window) {
         check_window(settings);
+    }
+}
+
+void base_create_scene(const BaseSettings *settings, Scene *scene)
+{
+    scene_create(scene, settings->scene, settings->light);
+    LightKind kind = scene->light.kind;
+    if (settings->splits > 1 && kind != LIGHT_DIRECTIONAL) {
+        die_usage("--splits %d are of a directional light, and this one is a "
+                  "%s light: drop --splits, or say --light directional",
+                  settings->splits, light_kind_name(kind));
     }
 }
 

@@ -7,6 +7,9 @@
 #include "step1_shadowmap/base/gl.h"      // ShaderFiles
 #include "step1_shadowmap/base/legend.h"  // ShowMode
 #include "step1_shadowmap/base/options.h" // Option
+#include "step1_shadowmap/base/scene.h"   // Scene
+
+enum { SETTINGS_MAX_SPLITS = 8 };
 
 typedef struct BaseSettings {
     const char *scene;
@@ -21,7 +24,8 @@ typedef struct BaseSettings {
     const char *shaders;        // directory, or NULL
     bool window;
     const char *context;
-    int bench; // frames to time, or 0
+    int splits; // views of a directional light
+    int bench;  // frames to time, or 0
 } BaseSettings;
 
 extern const Option base_options[];
@@ -38,6 +42,10 @@ const ShowMode *base_show_mode(const BaseSettings *settings);
 // unknown ending and what a window cannot do (status 2). To be called after
 // options_parse.
 void base_settings_check(const BaseSettings *settings);
+
+// Builds the scene of --scene and --light. Refuses (status 2) splits of a light
+// that is not parallel.
+void base_create_scene(const BaseSettings *settings, Scene *scene);
 
 // Makes the directories of the default output and of --dump, once everything
 // that could be wrong with the options has been looked at.

@@ -45,21 +45,38 @@ static int greatest(int a, int b)
     return a > b ? a : b;
 }
 
-void views_fit(Views *views, const Scene *scene, const int picture[2],
-               const int map[2], int reach)
+static void fit_light(Views *views, const Scene *scene, double aspect,
+                      int splits)
 {
-    static void (*const fit[])(Views *, const Scene *) = {
-        [LIGHT_DIRECTIONAL] = fit_directional,
-        [LIGHT_SPOT] = fit_spot,
-        [LIGHT_POINT] = fit_point};
+    switch (scene->light.kind) {
+    case LIGHT_DIRECTIONAL:
+        if (splits > 1) {
+            fit_splits(views, scene, aspect, splits);
+        } else {
+            fit_directional(views, scene);
+        }
+        break;
+    case LIGHT_SPOT:
+        fit_spot(views, scene);
+        break;
+    case LIGHT_POINT:
+        fit_point(views, scene);
+        break;
+    }
+}
+
+void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
+               int reach)
+{
+    double aspect = (double)settings->size[0] / settings->size[1];
     memset(views, 0, sizeof *views);
     dvec_copy(scene->camera.position, views->origin);
-    fit_camera(views, scene, (double)picture[0] / picture[1]);
-    views->width = map[0];
-    views->height = map[1];
-    int side = least(map[0], map[1]);
+    fit_camera(views, scene, aspect);
+    views->width = settings->map_size[0];
+    views->height = settings->map_size[1];
+    int side = least(views->width, views->height);
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
-    fit[scene->light.kind](views, scene);
+    fit_light(views, scene, aspect, settings->splits);
 }
 
 void view_set_matrix(GLuint program, const char *name,
@@ -83,6 +100,7 @@ void view_set_light(GLuint program, const Views *views)
     set_vector(program, "light_position", views->light_position);
     glUniform1f(glGetUniformLocation(program, "depth_per_distance"),
                 (float)views->depth_per_distance);
+    glUniform1i(glGetUniformLocation(program, "layers"), views->layers);
     for (int layer = 0; layer < views->layers; layer++) {
         const LightView *view = &views->light[layer];
         char name[48];
@@ -90,5 +108,8 @@ void view_set_light(GLuint program, const Views *views)
         view_set_matrix(program, name, view->map_from_relative);
         snprintf(name, sizeof name, "depth_from_relative[%d]", layer);
         set_vector(program, name, view->depth_from_relative);
+        snprintf(name, sizeof name, "split_range[%d]", layer);
+        glUniform2f(glGetUniformLocation(program, name), (float)view->handover,
+                    (float)view->end);
     }
 }

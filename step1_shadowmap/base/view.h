@@ -7,9 +7,10 @@
 
 #include <glad/gl.h>
 
-#include "step1_shadowmap/base/scene.h"
+#include "step1_shadowmap/base/scene.h"    // Scene
+#include "step1_shadowmap/base/settings.h" // BaseSettings
 
-enum { VIEW_MAX_LAYERS = 8 };
+enum { VIEW_MAX_LAYERS = SETTINGS_MAX_SPLITS }; // more than a point's 6
 
 // What the light sees in one layer of its map. The rows of map_from_relative
 // give (u w, v w, z w, w) of a relative position: u and v in [0, 1] across the
@@ -25,6 +26,9 @@ typedef struct LightView {
     double map_from_relative[4][4];
     double depth_from_relative[4];
     double near, far; // see Light, world units
+    // Of a split: the view depth where it ends, and where it begins to hand
+    // over to the next one, world units. 0 where there are no splits.
+    double handover, end;
 } LightView;
 
 typedef struct Views {
@@ -42,22 +46,21 @@ typedef struct Views {
 } Views;
 
 // Fits the views to the scene: one for a directional and a spot light, six for
-// a point light. `picture` and `map` are sizes in pixels and
-// texels; `reach` is how many texels a filter reads to each side. Texels are
-// square in the world. The border is at least twice the reach: a receiver
-// within reach of a caster must not have the map's edge within reach too, or
-// the far depth outside would join the caster and the receiver under its
-// filter. It is at least a 16th of the map, so that filters of different width
-// see the same texels.
-void views_fit(Views *views, const Scene *scene, const int picture[2],
-               const int map[2], int reach);
+// a point light, one per split. `reach` is how many texels a filter reads to
+// each side. Texels are square in the world. The border is at least twice the
+// reach: a receiver within reach of a caster must not have the map's edge
+// within reach too, or the far depth outside would join the caster and the
+// receiver under its filter. It is at least a 16th of the map, so that filters
+// of different width see the same texels.
+void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
+               int reach);
 
 // Rounds a matrix to single precision and sets a mat4 uniform of the program.
 void view_set_matrix(GLuint program, const char *name,
                      const double matrix[4][4]);
 
-// Sets the uniforms of light_depth.glsl, and map_from_relative, an array of
-// mat4 with an element for each layer.
+// Sets the uniforms of light_depth.glsl and of layer_split.glsl, and
+// map_from_relative, an array of mat4 with an element for each layer.
 void view_set_light(GLuint program, const Views *views);
 
 #endif

@@ -8,5 +8,5 @@ layout(location = 0) out float nearest_depth;
 
 void main()
 {
-    nearest_depth = light_depth(relative_position, layer);
+    nearest_depth = map_depth(relative_position, layer);
 }

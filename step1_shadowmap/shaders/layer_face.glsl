@@ -8,3 +8,9 @@ int map_layer(vec3 relative_position)
     int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
     return 2 * axis + (from_light[axis] < 0.0 ? 1 : 0);
 }
+
+// Of the next layer, where two are mixed: there are no such places.
+float next_layer_share(vec3 relative_position)
+{
+    return 0.0;
+}

@@ -14,19 +14,19 @@ uniform mat4 map_from_relative[8];
 
 // Dividing by w makes a perspective of what a spot or point light sees; for a
 // parallel light it is 1.
-Receiver map_coordinates(vec3 relative_position, vec3 normal)
+Receiver map_coordinates(vec3 relative_position, vec3 normal, int layer)
 {
-    int layer = map_layer(relative_position);
-    vec4 map_position = map_from_relative[layer] * vec4(relative_position, 1.0);
+    int held = min(layer, layers - 1);
+    vec4 map_position = map_from_relative[held] * vec4(relative_position, 1.0);
     return Receiver(map_position.xy / map_position.w,
-                    light_depth(relative_position, layer), layer, normal,
+                    light_depth(relative_position, held), layer, normal,
                     relative_position);
 }
 
-// What the map does not hold is lit.
 bool inside_map(Receiver receiver)
 {
     vec3 position = vec3(receiver.uv, receiver.depth);
-    return all(greaterThanEqual(position, vec3(0.0))) &&
+    return receiver.layer < layers &&
+           all(greaterThanEqual(position, vec3(0.0))) &&
            all(lessThanEqual(position, vec3(1.0)));
 }

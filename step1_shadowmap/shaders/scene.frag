@@ -21,20 +21,36 @@ float falloff(float distance, float cosine)
     return part * part * cone * cone;
 }
 
+// What the map does not hold is lit.
+float map_visibility(Receiver receiver)
+{
+    return inside_map(receiver) ? visibility(receiver) : 1.0;
+}
+
+// Where one layer hands over to the next, a mixture of what both say.
+float mixed_visibility(Receiver receiver, Receiver next, float share)
+{
+    float lit = map_visibility(receiver);
+    return share > 0.0 ? mix(lit, map_visibility(next), share) : lit;
+}
+
 void main()
 {
     vec3 normal = normalize(gl_FrontFacing ? surface_normal : -surface_normal);
-    Receiver receiver = map_coordinates(relative_position, normal);
+    int layer = map_layer(relative_position);
+    float share = next_layer_share(relative_position);
+    Receiver receiver = map_coordinates(relative_position, normal, layer);
+    Receiver next = map_coordinates(relative_position, normal, layer + 1);
     vec3 towards = towards_light(relative_position);
     vec3 to_light = normalize(towards);
     float facing = dot(normal, to_light);
     float cosine = -dot(cone_axis, to_light);
     float lit = facing > 0.0 && cosine > cone_cosines.x ? 1.0 : 0.0;
-    if (lit > 0.0 && inside_map(receiver)) {
-        lit = visibility(receiver);
+    if (lit > 0.0) {
+        lit = mixed_visibility(receiver, next, share);
     }
     float arriving = max(facing, 0.0) * lit * falloff(length(towards), cosine);
     vec3 shaded = albedo * (ambient + radiance * arriving);
     color = vec4(show(shaded, receiver, lit), 1.0);
-    dump(receiver, relative_position, lit);
+    dump(receiver, next, share, lit);
 }

@@ -10,6 +10,6 @@ layout(location = 0) out vec2 moments;
 
 void main()
 {
-    float depth = light_depth(relative_position, layer);
+    float depth = map_depth(relative_position, layer);
     moments = vec2(depth, depth * depth);
 }

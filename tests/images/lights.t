@@ -30,6 +30,9 @@ check_all( 2, qw(--scene stage --bilinear) );
 check_all( 2, qw(--scene room --map-size 300x180) );
 check_all( 5, qw(--scene room --radius 8 --downsample 2) );
 check_all( 5, qw(--scene stage --blur gaussian --map-size 180x300) );
+check_all( 5, qw(--scene room --sat) );
+oracle( 'stage', dump_run( 5, @small, @$_ ) )
+  for [qw(--scene room --mips)], [qw(--scene stage --mips --anisotropy 4)];
 check_all( 1, '--scene', 'room:offset=1000,scale=0.01' );
 check_all( 1, '--scene', 'stage:elevation=70' );
 check_all( 1, qw(--scene room --light directional) );

@@ -41,6 +41,8 @@ static MapView view_of(const json &entry, Lamp lamp)
     if (!view.parallel())
         view.position = vec3_of_json(entry.at("position"));
     view.cone = lamp == Lamp::SPOT ? entry.at("cone").get<double>() : 0;
+    view.handover = entry.value("handover", 0.0);
+    view.end = entry.value("end", 0.0);
     view.near = entry.at("near").get<double>();
     view.far = entry.at("far").get<double>();
     view.width = entry.at("width").get<int>();
@@ -193,6 +195,21 @@ Receivers::Receivers(const Run &run)
       visibility_(load_file(run, "visibility.exr", run.width, run.height, 1)),
       layers_(int(run.views.size()))
 {
+    if (run.views.at(0).split())
+        handover_ = load_file(run, "handover.exr", run.width, run.height, 4);
+    for (const MapView &view : run.views)
+        widths_.push_back(1 / glm::length(glm::dvec3(view.rows[0])));
+}
+
+Receiver Receiver::in_next() const
+{
+    Receiver r = *this;
+    r.layer++;
+    r.footprint_scale = next_scale;
+    r.u = next.x;
+    r.v = next.y;
+    r.t = next.z;
+    return r;
 }
 
 static glm::dvec3 vector_at(const Picture &picture, int x, int y)
@@ -215,5 +232,12 @@ Receiver Receivers::at(int x, int y) const
     r.position = vector_at(position_, x, y);
     r.normal = vector_at(normal_, x, y);
     r.visibility = visibility_.at(x, y);
+    if (r.shown && !handover_.values.empty()) {
+        r.next = vector_at(handover_, x, y);
+        r.share = handover_.at(x, y, 3);
+        size_t next = size_t(r.layer) + 1;
+        if (next < widths_.size())
+            r.next_scale = widths_[next - 1] / widths_[next];
+    }
     return r;
 }

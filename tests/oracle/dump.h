@@ -27,6 +27,14 @@ struct MapView {
     int width, height; // texels
     double border;     // texels
 
+    // Of a split: view depths where it begins to hand over to the next one, and
+    // where it ends. 0 where there are no splits.
+    double handover, end;
+
+    bool split() const
+    {
+        return end > 0;
+    }
     bool parallel() const
     {
         return lamp == Lamp::DIRECTIONAL;
@@ -88,12 +96,20 @@ Picture load_filtered(const Run &run, int layer);
 
 // One pixel of the picture.
 struct Receiver {
-    bool shown;          // an object, not the background
-    int layer;           // of the shadow map
-    double u, v, t;      // as the shader used them
-    glm::dvec3 position; // relative to the origin
-    glm::dvec3 normal;   // unit length, towards the viewer
-    double visibility;   // what the program says
+    bool shown;           // an object, not the background
+    int layer;            // of the shadow map
+    double u, v, t;       // as the shader used them
+    glm::dvec3 position;  // relative to the origin
+    glm::dvec3 normal;    // unit length, towards the viewer
+    double visibility;    // what the program says
+    double share = 0;     // of the next layer in it
+    glm::dvec3 next = {}; // u, v, t in that
+    // What footprint.exr has to be multiplied by in this layer, and in the next
+    // one: the splits differ in size only.
+    double footprint_scale = 1, next_scale = 1;
+
+    // The same point in the next layer; after the last one all is lit.
+    Receiver in_next() const;
 };
 
 // The four pictures that say what each pixel shows.
@@ -105,7 +121,9 @@ class Receivers
 
   private:
     Picture receiver_, position_, normal_, visibility_;
+    Picture handover_; // empty without splits
     int layers_;
+    std::vector<double> widths_; // of the map in the world, by layer
 };
 
 #endif

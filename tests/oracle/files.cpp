@@ -87,6 +87,8 @@ void check_files(const Run &run, Report &report)
     Picture normal = check_picture(run, "normal.exr", 3, report);
     check_picture(run, "position.exr", 3, report);
     check_picture(run, "image.exr", 3, report);
+    if (run.views.at(0).split())
+        check_picture(run, "handover.exr", 4, report);
     Picture visibility = check_picture(run, "visibility.exr", 1, report);
     check_range(visibility, "visibility.exr", 0, 1, report);
     check_normals(run, normal, receiver, report);

@@ -12,7 +12,10 @@ static double depth_at(const MapView &view, const RayScene &rays, double u,
 {
     // A surface may lie exactly in the near plane: start a little before it.
     double start = -1e-6;
-    double t = rays.first(map_ray(view, u, v, start)).distance + start;
+    Ray ray = map_ray(view, u, v, start);
+    if (before_near(view, rays, ray, start))
+        return 0;
+    double t = rays.first(ray).distance + start;
     return t <= 1 ? t : INFINITY;
 }
 

@@ -17,6 +17,10 @@ void check_view(const Run &run, const SceneTable &table, int layer,
 void check_local_view(const Run &run, const SceneTable &table, int layer,
                       Report &report);
 
+// The same for one of several splits.
+void check_split(const Run &run, const SceneTable &table, int layer,
+                 Report &report);
+
 // position.exr lies on the rays of the scene's camera.
 void check_camera(const Run &run, const SceneTable &table, Report &report);
 

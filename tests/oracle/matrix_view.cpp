@@ -37,7 +37,7 @@ static void check_depth_row(const Run &run, const SceneTable &table,
     double bound = tolerance + 8 * DBL_EPSILON * std::abs(at);
     report.line(std::abs(t - at) <= bound, "depth of the light's anchor",
                 "t %.6g, expected %.6g, error %.3g", t, at, std::abs(t - at));
-    bool given = light.near != 0 || light.far != 0;
+    bool given = !view.split() && (light.near != 0 || light.far != 0);
     if (given)
         report.line(view.near == light.near && view.far == light.far,
                     "near and far are the scene's", "%.6g to %.6g", view.near,
@@ -158,6 +158,8 @@ void check_view(const Run &run, const SceneTable &table, int layer,
     double tolerance = double_error(run, table, view);
     check_depth_row(run, table, view, tolerance, report);
     check_orthogonal(view, report);
+    if (view.split())
+        return check_split(run, table, layer, report);
     check_fit(run, table, view, tolerance, report);
     if (table.scene.light.near == 0 && table.scene.light.far == 0)
         check_range(run, view, layer, report);

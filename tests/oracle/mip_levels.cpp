@@ -120,10 +120,12 @@ Interval MipLookup::along(const Receiver &r, const double direction[2],
 Interval MipLookup::moment(const Receiver &r, int x, int y, int channel) const
 {
     const Picture &finest = levels_[size_t(r.layer)][0];
-    double ax = double(footprint_.at(x, y, 0)) * finest.width;
-    double ay = double(footprint_.at(x, y, 1)) * finest.height;
-    double bx = double(footprint_.at(x, y, 2)) * finest.width;
-    double by = double(footprint_.at(x, y, 3)) * finest.height;
+    double wide = r.footprint_scale * finest.width;
+    double high = r.footprint_scale * finest.height;
+    double ax = double(footprint_.at(x, y, 0)) * wide;
+    double ay = double(footprint_.at(x, y, 1)) * high;
+    double bx = double(footprint_.at(x, y, 2)) * wide;
+    double by = double(footprint_.at(x, y, 3)) * high;
     double angle = std::atan2(2 * (ax * ay + bx * by),
                               ax * ax + bx * bx - ay * ay - by * by) /
                    2;

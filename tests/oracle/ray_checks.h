@@ -22,4 +22,9 @@ void check_ray_visibility(const Run &run, const Scene &scene,
 // t = `start` on (Embree needs it to begin before what it should hit).
 Ray map_ray(const MapView &view, double u, double v, double start);
 
+// Whether something is before the near plane of a split on such a ray: it casts
+// from there, at depth 0.
+bool before_near(const MapView &view, const RayScene &rays, const Ray &ray,
+                 double start);
+
 #endif

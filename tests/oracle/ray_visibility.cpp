@@ -182,8 +182,18 @@ void check_ray_visibility(const Run &run, const Scene &scene,
                 cosine_to_light(normal, view, r.position) < 0.1 ||
                 facing(r, view) != Facing::TOWARDS)
                 continue;
-            const IdealMap &map = maps[size_t(r.layer)];
-            count(truth_of(context, r, view, map, normal), r.visibility, tally);
+            Truth truth =
+                truth_of(context, r, view, maps[size_t(r.layer)], normal);
+            if (r.share > 0) { // two splits are mixed: both have to know
+                Receiver next = r.in_next();
+                size_t layer = size_t(next.layer);
+                Truth other = layer < maps.size()
+                                  ? truth_of(context, next, run.views[layer],
+                                             maps[layer], normal)
+                                  : Truth::LIT;
+                truth = other == truth ? truth : Truth::APART;
+            }
+            count(truth, r.visibility, tally);
         }
     print(run, tally, report);
 }

@@ -82,7 +82,12 @@ static double agreeing(const Run &run, const Picture &footprint, int along_x,
             if (!here.shown || here.layer != next.layer ||
                 glm::distance(here.normal, next.normal) > 1e-3)
                 continue;
+            // The footprint is a differential; over a whole pixel a quotient
+            // by w, of a perspective, changes by w / w' as much.
+            const glm::dvec4 &w = run.views[size_t(here.layer)].rows[3];
             double step = axis == 0 ? next.u - here.u : next.v - here.v;
+            step *= glm::dot(w, glm::dvec4(next.position, 1)) /
+                    glm::dot(w, glm::dvec4(here.position, 1));
             double said = footprint.at(x, y, axis + 2 * along_y);
             pairs++;
             agree += std::abs(step - said) <= 0.02 * std::abs(said) + 1e-6;

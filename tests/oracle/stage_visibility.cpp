@@ -163,18 +163,29 @@ static Interval expected(const Run &run, const Receiver &r, const MapView &view,
     return compared(r.t, bias, m1);
 }
 
+// What the map does not hold is lit.
+static Interval in_layer(const Run &run, const Receiver &r, const Pixel &pixel)
+{
+    size_t layer = size_t(r.layer);
+    return layer < run.views.size() && inside_map(r)
+               ? expected(run, r, run.views[layer], pixel)
+               : Interval(1);
+}
+
 static Interval expected_anywhere(const Run &run, const Receiver &r,
                                   const Pixel &pixel)
 {
     if (!r.shown)
         return 1;
-    const MapView &view = run.views[size_t(r.layer)];
-    Facing side = facing(r, view);
+    Facing side = facing(r, run.views[size_t(r.layer)]);
     if (side == Facing::AWAY)
         return 0;
-    Interval lit = 1;
-    if (inside_map(r))
-        lit = expected(run, r, view, pixel);
+    Interval lit = in_layer(run, r, pixel);
+    if (r.share > 0) { // a product each, a difference and a sum
+        Interval next = in_layer(run, r.in_next(), pixel);
+        lit = (1 - r.share) * lit + r.share * next;
+        lit = widened(lit, rounding_share(4));
+    }
     return side == Facing::UNKNOWN ? hull(0, lit) : lit;
 }
 

@@ -14,8 +14,9 @@ TruthScene::TruthScene(const Run &the_run)
       // Embree's vertices and the ray's origin are off by a unit each.
       lift(rounding_share(16) * extent)
 {
-    if (!run.views.at(0).parallel())
-        throw BadInput("the truths are made for a directional light only");
+    if (!run.views.at(0).parallel() || run.views.at(0).split())
+        throw BadInput("the truths are made for a directional light with one "
+                       "map only");
     for (const MapView &view : run.views)
         ideal.emplace_back(view, rays);
 }

@@ -49,6 +49,14 @@ my %OPTIONS = (
         bad     => [ 'area', '', 'spot,point', 'Spot' ],
         allowed => qr/directional,\s?spot,\s?point/,
     },
+    splits => {
+        steps   => [ 1 .. 5 ],
+        differ  => [ 2, 8 ],
+        same    => [1],
+        check   => \&check_splits,
+        bad     => [ 0, 9, '', '2.0', '-1' ],
+        allowed => qr/numbers from 1 to 8/,
+    },
     'list-scenes' => { steps => [ 1 .. 5 ] },    # in scenes.t
     window        => { steps => [ 1 .. 5 ] },    # in window.t
     size          => {
@@ -265,6 +273,16 @@ sub check_bench {
     ok( -e 'timed.png' && slurp('timed.png') eq $plain,
         "step $step: --bench draws the same picture" );
     unlink 'timed.png';
+    return;
+}
+
+# Only a parallel light has splits.
+sub check_splits {
+    my ($step) = @_;
+    for my $words ( [qw(--light point)], [qw(--scene stage)] ) {
+        is_refused( $step, [ '--splits', 2, @$words ],
+            [ qr/--splits 2/, qr/drop --splits/ ], "--splits 2 @$words" );
+    }
     return;
 }
 

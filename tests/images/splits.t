@@ -1,0 +1,95 @@
+# Parallel splits: each is a map like the only one, and where it lies does not
+# depend on how the camera moves.
+use strict;
+use warnings;
+use JSON::PP qw(decode_json);
+use Test::More;
+use VSM;
+
+my @small  = qw(--size 320x180 --map-size 256);
+my @avenue = ( @small, qw(--scene avenue --splits 4) );
+my %more   = ( 5 => [qw(--bleed-reduction 0)] );
+
+sub check_all {
+    my ( $step, @arguments ) = @_;
+    my $dump = dump_run( $step, @arguments, @{ $more{$step} // [] } );
+    note("step $step @arguments");
+    oracle( $_, $dump ) for qw(files stage matrix rays shading);
+    oracle( 'lower', $dump ) if $step == 5;
+    return;
+}
+
+check_all( $_, @avenue ) for 1, 2, 5, 3, 4;
+check_all( 1, @avenue, qw(--splits 8) );
+check_all( 2, @avenue, qw(--splits 2 --map-size 300x180) );
+check_all( 1, @small, qw(--splits 3) );
+check_all( 5, @avenue, qw(--sat) );
+oracle( 'stage', dump_run( 5, @avenue, @$_ ) )
+  for [qw(--mips)], [qw(--mips --anisotropy 4)];
+check_all( 5, @avenue, '--scene', 'avenue:offset=1000,scale=0.01,walk=20' );
+
+# The views of a run: texel size, depth range, and where the middle of the map
+# is in the world, in texels along u and v.
+sub views_of {
+    my ($scene) = @_;
+    my $dump = dump_run( 1, @avenue, '--scene', $scene );
+    my $run  = decode_json( slurp("$dump/run.json") );
+    my @views;
+    for my $view ( @{ $run->{views} } ) {
+        my ( @axes, @texels );
+        for my $row ( 0, 1 ) {
+            my @m      = @{ $view->{map_from_relative}[$row] };
+            my $length = sqrt( $m[0]**2 + $m[1]**2 + $m[2]**2 );
+            my $side   = $view->{ $row ? 'height' : 'width' };
+            my $world  = $m[3];
+            $world -= $m[$_] * $run->{origin}[$_] for 0 .. 2;
+            push @axes, map { $_ / $length } @m[ 0 .. 2 ];
+            push @texels, 1 / ( $length * $side ), ( 0.5 - $world ) * $side;
+        }
+        push @views,
+          {
+            axes  => \@axes,
+            texel => $texels[0],
+            range => $view->{far} - $view->{near},
+            place => [ @texels[ 1, 3 ] ],
+          };
+    }
+    return @views;
+}
+
+sub near { return abs( $_[0] - $_[1] ) <= $_[2] }
+
+# However the camera walks and turns.
+my @still = views_of('avenue');
+is( scalar @still, 4, 'four views' );
+my $moved = 0;
+for my $key ( qw(walk=0.013 walk=0.5 turn=0.1 turn=-7), 'walk=3,turn=20' ) {
+    my @views = views_of("avenue:$key");
+    for my $i ( 0 .. 3 ) {
+        my ( $old, $new ) = ( $still[$i], $views[$i] );
+        ok( near( $new->{texel} / $old->{texel}, 1, 1e-12 ),
+            "$key: split $i keeps the size of its texels" );
+        ok( near( $new->{range} / $old->{range}, 1, 1e-12 ),
+            "$key: split $i keeps its depth range" );
+        my @turned =
+          grep { !near( $new->{axes}[$_], $old->{axes}[$_], 1e-12 ) } 0 .. 5;
+        ok( !@turned, "$key: split $i does not turn" );
+        my @by = map { $new->{place}[$_] - $old->{place}[$_] } 0, 1;
+        my @odd = grep { !near( $_, sprintf( '%.0f', $_ ), 1e-6 ) } @by;
+        ok( !@odd, "$key: split $i moves by whole texels: @by" );
+        $moved++ if grep { abs > 0.5 } @by;
+    }
+}
+ok( $moved > 10, "$moved of 20 views have moved" );
+
+# The nearer to the camera, the finer.
+ok( $still[$_]{texel} > $still[ $_ - 1 ]{texel},
+    "split $_ has larger texels than the one before" )
+  for 1 .. 3;
+
+my ( $plain, $layers ) = map { dump_run( 5, @avenue, '--show', $_ ) }
+  qw(visibility layer);
+ok( slurp("$plain/picture.exr") ne slurp("$layers/picture.exr"),
+    '--show layer colours the splits' );
+
+done_testing;
