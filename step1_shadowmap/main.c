@@ -3,7 +3,7 @@
 // whether something is nearer to the light.
 
 #include "step1_shadowmap/base/context.h"    // context_create
-#include "step1_shadowmap/base/dump.h"       // dump_layers, dump_run
+#include "step1_shadowmap/base/dump.h"       // dump_run
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
@@ -28,7 +28,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step1.png", NULL);
+    state.base = base_settings("step1_shadowmap", NULL);
     state.bias = bias_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
@@ -66,23 +66,13 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {.program = "step1_shadowmap",
-                         .step = 1,
-                         .scene = state.base.scene,
-                         .tables = state.options,
-                         .views = &state.views,
-                         .light = &state.scene.light,
-                         .stopwatch = &state.stopwatch,
-                         .map_bytes = state.map.bytes};
-        dump_layers(state.base.dump, "depth", state.map.texture,
-                    state.map.width, state.map.height, state.map.layers, 1);
+        shadow_map_dump(&state.map, "depth", state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(state.base.dump, &run);
+        dump_run(&(Run){&state.base, state.options, &state.scene.light,
+                        &state.views, &state.stopwatch, state.map.bytes});
     }
     scene_draw_write(&state.picture, state.base.output);
-    if (state.base.bench > 0) {
-        stopwatch_print(&state.stopwatch);
-    }
+    stopwatch_print(&state.stopwatch, state.base.bench);
 }
 
 static void run_window(void)

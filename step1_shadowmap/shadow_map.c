@@ -1,5 +1,7 @@
 #include "step1_shadowmap/shadow_map.h"
 
+#include "step1_shadowmap/base/dump.h" // dump_layers
+
 const Option bias_options[] = {
     {.name = "bias",
      .kind = OPTION_NUMBER,
@@ -43,7 +45,8 @@ ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
                               fragment_shader, NULL};
     ShadowMap map = {.width = views->width,
                      .height = views->height,
-                     .layers = views->layers};
+                     .layers = views->layers,
+                     .channels = format == GL_R32F ? 1 : 2};
     size_t texels = (size_t)map.width * (size_t)map.height;
     map.bytes = texels * ((size_t)map.layers * gl_texel_bytes(format) +
                           gl_texel_bytes(GL_DEPTH_COMPONENT32F));
@@ -77,6 +80,13 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
         geometry_draw(geometry, scene, views->origin, map->program.id);
     }
     glDisable(GL_DEPTH_CLAMP);
+}
+
+void shadow_map_dump(const ShadowMap *map, const char *name,
+                     const char *directory)
+{
+    dump_layers(directory, name, map->texture, map->width, map->height,
+                map->layers, map->channels);
 }
 
 bool shadow_map_reload(ShadowMap *map)

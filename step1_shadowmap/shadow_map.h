@@ -26,6 +26,7 @@ typedef struct ShadowMap {
     GLuint depth_buffer;
     GLuint framebuffers[VIEW_MAX_LAYERS];
     int width, height, layers;
+    int channels; // of the texture
     size_t bytes; // of the texture and the depth buffer
 } ShadowMap;
 
@@ -39,6 +40,10 @@ ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
 // Draws the scene into every layer; what nothing covers is at far depth, 1.
 void shadow_map_draw(const ShadowMap *map, const Scene *scene,
                      const Geometry *geometry, const Views *views);
+
+// Writes layer L as directory/name.L.exr.
+void shadow_map_dump(const ShadowMap *map, const char *name,
+                     const char *directory);
 
 // Compiles the shaders again; see gl_program_reload.
 bool shadow_map_reload(ShadowMap *map);

@@ -2,7 +2,7 @@
 // square. The picture still compares with one of them, the mean.
 
 #include "step1_shadowmap/base/context.h"    // context_create
-#include "step1_shadowmap/base/dump.h"       // dump_layers, dump_run
+#include "step1_shadowmap/base/dump.h"       // dump_run
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
@@ -29,7 +29,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("out/step3.png", moments_shows);
+    state.base = base_settings("step3_moments", moments_shows);
     state.bias = bias_settings();
     state.moments = moments_settings();
     state.options[0] = (OptionTable){base_options, &state.base, {false}};
@@ -69,23 +69,13 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        const Run run = {.program = "step3_moments",
-                         .step = 3,
-                         .scene = state.base.scene,
-                         .tables = state.options,
-                         .views = &state.views,
-                         .light = &state.scene.light,
-                         .stopwatch = &state.stopwatch,
-                         .map_bytes = state.map.bytes};
-        dump_layers(state.base.dump, "moments", state.map.texture,
-                    state.map.width, state.map.height, state.map.layers, 2);
+        shadow_map_dump(&state.map, "moments", state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(state.base.dump, &run);
+        dump_run(&(Run){&state.base, state.options, &state.scene.light,
+                        &state.views, &state.stopwatch, state.map.bytes});
     }
     scene_draw_write(&state.picture, state.base.output);
-    if (state.base.bench > 0) {
-        stopwatch_print(&state.stopwatch);
-    }
+    stopwatch_print(&state.stopwatch, state.base.bench);
 }
 
 static void run_window(void)

@@ -93,10 +93,10 @@ static void write_passes(FILE *file, const Stopwatch *stopwatch)
 
 static void write_run(FILE *file, const Run *run)
 {
-    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n", run->program,
-            run->step);
+    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n",
+            run->base->program, run->base->program[4] - '0');
     fputs("  \"scene\": ", file);
-    options_write_text(file, run->scene);
+    options_write_text(file, run->base->scene);
     fputs(",\n  \"options\": {", file);
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);
@@ -110,12 +110,12 @@ static void write_run(FILE *file, const Run *run)
     fputs("}\n", file);
 }
 
-void dump_run(const char *directory, const Run *run)
+void dump_run(const Run *run)
 {
     char path[FILE_NAME_BYTES];
     char *text = NULL;
     size_t length = 0;
-    snprintf(path, sizeof path, "%s/run.json", directory);
+    snprintf(path, sizeof path, "%s/run.json", run->base->dump);
     FILE *memory = open_memstream(&text, &length);
     if (memory == NULL) {
         die("no memory for %s", path);

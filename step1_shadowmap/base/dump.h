@@ -4,6 +4,7 @@
 #define BASE_DUMP_H
 
 #include "step1_shadowmap/base/options.h"   // OptionTable
+#include "step1_shadowmap/base/settings.h"  // BaseSettings
 #include "step1_shadowmap/base/stopwatch.h" // Stopwatch
 #include "step1_shadowmap/base/view.h"      // Views
 
@@ -16,18 +17,16 @@ void dump_layers(const char *directory, const char *name, GLuint texture,
                  int width, int height, int layers, int channels);
 
 typedef struct Run {
-    const char *program;
-    int step;
-    const char *scene; // as given to --scene
+    const BaseSettings *base;
     const OptionTable *tables;
-    const Views *views;
     const Light *light; // that the views are of
+    const Views *views;
     const Stopwatch *stopwatch;
     size_t map_bytes; // of all maps that the light's part of the frame needs
 } Run;
 
-// Writes directory/run.json: the options, the origin and the matrices in
-// double, the OpenGL driver and the pass times.
-void dump_run(const char *directory, const Run *run);
+// Writes run.json into the directory of --dump: the options, the origin and the
+// matrices in double, the OpenGL driver and the pass times.
+void dump_run(const Run *run);
 
 #endif

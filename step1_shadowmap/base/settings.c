@@ -127,13 +127,17 @@ const ShowMode *base_show_mode(const BaseSettings *settings)
     return mode;
 }
 
-BaseSettings base_settings(const char *output, const ShowMode *more_shows)
+BaseSettings base_settings(const char *program, const ShowMode *more_shows)
 {
-    return (BaseSettings){.more_shows = more_shows,
+    static const char *const outputs[] = {"out/step1.png", "out/step2.png",
+                                          "out/step3.png", "out/step4.png",
+                                          "out/step5.png"};
+    return (BaseSettings){.program = program,
+                          .more_shows = more_shows,
                           .scene = "teapot",
                           .size = {1280, 720},
                           .map_size = {512, 512},
-                          .output = output,
+                          .output = outputs[program[4] - '1'],
                           .show = "shaded",
                           .splits = 1,
                           .context = "osmesa"};

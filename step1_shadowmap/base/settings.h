@@ -12,6 +12,7 @@
 enum { SETTINGS_MAX_SPLITS = 8 };
 
 typedef struct BaseSettings {
+    const char *program; // stepN_what
     const char *scene;
     const char *light; // a kind, or NULL: the scene's own
     bool list_scenes;
@@ -30,10 +31,11 @@ typedef struct BaseSettings {
 
 extern const Option base_options[];
 
-// The defaults; `output` is where the picture goes if no option says.
+// The defaults of a program (stepN_what), which writes out/stepN.png if no
+// option says otherwise.
 // `more_shows` are choices of --show besides the four that every step has; the
 // list ends with a NULL name.
-BaseSettings base_settings(const char *output, const ShowMode *more_shows);
+BaseSettings base_settings(const char *program, const ShowMode *more_shows);
 
 // The choice that --show names; refuses (status 2) any other name.
 const ShowMode *base_show_mode(const BaseSettings *settings);

@@ -88,8 +88,11 @@ static void print_line(const char *name, const double *samples, int count)
     free(sorted);
 }
 
-void stopwatch_print(const Stopwatch *stopwatch)
+void stopwatch_print(const Stopwatch *stopwatch, int bench)
 {
+    if (bench == 0) {
+        return;
+    }
     int count = stopwatch->frames - STOPWATCH_WARM_UP;
     double *total = allocate((size_t)count, sizeof *total);
     puts("pass,median_ms,quartile1_ms,quartile3_ms,frames,clock,samples_ms");

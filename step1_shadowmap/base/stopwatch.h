@@ -35,7 +35,8 @@ double stopwatch_total(const Stopwatch *stopwatch);
 // Prints, as CSV on stdout, a header and for each pass and for their total:
 // name, median, first and third quartile over the frames after the warm-up
 // (milliseconds), number of these frames, the clock, and each frame's time,
-// so that several runs can be pooled.
-void stopwatch_print(const Stopwatch *stopwatch);
+// so that several runs can be pooled. Nothing where no frame was to be timed
+// (--bench 0).
+void stopwatch_print(const Stopwatch *stopwatch, int bench);
 
 #endif
