@@ -4,10 +4,6 @@
 
 #include <stdbool.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 // Whether the name ends in .png or .exr.
 bool image_name_is_known(const char *path);
 
@@ -17,9 +13,5 @@ bool image_name_is_known(const char *path);
 // file appears whole or not at all; dies if it cannot be written.
 void image_write(const char *path, const float *pixels, int width, int height,
                  int channels);
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -1,29 +1,18 @@
-// The only C++ file of the programs: OpenImageIO has no C interface.
-#include "step1_shadowmap/base/image.h"
+// The only C++ file of the programs: OpenImageIO has no C interface. It is a
+// library of its own, loaded by image.c when there is something to write.
+#include "step1_shadowmap/base/image_encode.h"
 
 #include <OpenImageIO/color.h>      // linear_to_sRGB
 #include <OpenImageIO/filesystem.h> // IOVecOutput
 #include <OpenImageIO/imageio.h>    // ImageOutput, ImageSpec
 #include <algorithm>                // clamp
 #include <cstddef>                  // ptrdiff_t
+#include <cstdio>                   // snprintf
+#include <cstdlib>                  // malloc
+#include <cstring>                  // memcpy
 #include <exception>
 #include <string>
 #include <vector>
-
-#include "step1_shadowmap/base/die.h"  // die
-#include "step1_shadowmap/base/file.h" // file_write
-
-static bool ends_with(const std::string &text, const std::string &ending)
-{
-    return text.size() > ending.size() &&
-           text.compare(text.size() - ending.size(), ending.size(), ending) ==
-               0;
-}
-
-bool image_name_is_known(const char *path)
-{
-    return ends_with(path, ".png") || ends_with(path, ".exr");
-}
 
 // Rows as they are stored: OpenGL's first row is the bottom one.
 static bool write_rows(OIIO::ImageOutput &output, const float *pixels,
@@ -65,10 +54,12 @@ static std::vector<unsigned char> encode(const char *path, const float *pixels,
     return bytes;
 }
 
-static void write(const char *path, const float *pixels, int width, int height,
-                  int channels)
+static std::vector<unsigned char> encode_picture(const char *path,
+                                                 const float *pixels, int width,
+                                                 int height, int channels,
+                                                 std::string &reason)
 {
-    bool png = ends_with(path, ".png");
+    bool png = std::strcmp(std::strrchr(path, '.'), ".png") == 0;
     OIIO::ImageSpec spec(width, height, channels,
                          png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
     // Else the writer puts the time there, and no two files are the same.
@@ -79,20 +70,27 @@ static void write(const char *path, const float *pixels, int width, int height,
         encoded = encode_srgb(pixels, std::size_t(width) * height * channels);
         pixels = encoded.data();
     }
-    std::string reason;
-    std::vector<unsigned char> bytes = encode(path, pixels, spec, reason);
-    if (bytes.empty()) {
-        die("cannot write %s: %s", path, reason.c_str());
-    }
-    file_write(path, bytes.data(), bytes.size());
+    return encode(path, pixels, spec, reason);
 }
 
-void image_write(const char *path, const float *pixels, int width, int height,
-                 int channels)
+ImageBytes image_encode(const char *path, const float *pixels, int width,
+                        int height, int channels)
 {
+    ImageBytes result = {};
+    std::string reason;
     try {
-        write(path, pixels, width, height, channels);
+        std::vector<unsigned char> bytes =
+            encode_picture(path, pixels, width, height, channels, reason);
+        if (!bytes.empty()) {
+            result.bytes = std::malloc(bytes.size());
+            result.count = bytes.size();
+        }
+        if (result.bytes != nullptr) {
+            std::memcpy(result.bytes, bytes.data(), bytes.size());
+        }
     } catch (const std::exception &error) { // out of memory, most likely
-        die("cannot write %s: %s", path, error.what());
+        reason = error.what();
     }
+    std::snprintf(result.reason, sizeof result.reason, "%s", reason.c_str());
+    return result;
 }
