@@ -97,8 +97,8 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
         blur.bytes += blur.mips.bytes;
     }
     if (settings->sat) {
-        blur.sat =
-            sat_create(files, size, blur.layers, blur_used_radius(settings));
+        blur.sat = sat_create(files, size, blur.layers,
+                              blur_used_radius(settings), settings->sat_by);
         blur.bytes += blur.sat.bytes;
     }
     return blur;
@@ -157,7 +157,7 @@ GLuint blur_apply(const Blur *blur, const ShadowMap *moments)
     if (blur->mips.levels > 0) {
         mips_apply(&blur->mips, result, blur->empty_vao);
     }
-    if (blur->sat.start_program.id != 0) {
+    if (blur->sat.layers > 0) {
         result = sat_apply(&blur->sat, result, blur->empty_vao);
     }
     return result;

@@ -14,6 +14,7 @@ typedef struct BlurSettings {
     bool mips;          // a mip-map chain of the result
     int anisotropy;     // most lookups for one pixel; with mips
     bool sat;           // the box from a summed-area table
+    const char *sat_by; // what sums it: auto, compute or fragments
 } BlurSettings;
 
 extern const Option blur_options[];

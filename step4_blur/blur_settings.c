@@ -44,13 +44,22 @@ const Option blur_options[] = {
      .kind = OPTION_FLAG,
      .offset = offsetof(BlurSettings, sat),
      .help = "average the box from a summed-area table, in constant time"},
+    {.name = "sat-by",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BlurSettings, sat_by),
+     .choices = "auto,compute,fragments",
+     .help = "what sums the table: running sums in compute shaders, where the "
+             "driver has them, or recursive doubling in fragments"},
     {0},
 };
 
 BlurSettings blur_settings(void)
 {
-    return (BlurSettings){
-        .kernel = "box", .radius = 3, .downsample = 1, .anisotropy = 1};
+    return (BlurSettings){.kernel = "box",
+                          .radius = 3,
+                          .downsample = 1,
+                          .anisotropy = 1,
+                          .sat_by = "auto"};
 }
 
 int blur_used_radius(const BlurSettings *settings)
@@ -66,6 +75,10 @@ static void check_lookup(const BlurSettings *settings, const int map_size[2],
         die_usage("--anisotropy %d needs --mips: add --mips or drop "
                   "--anisotropy",
                   settings->anisotropy);
+    }
+    if (options_given(tables, "sat-by") && !settings->sat) {
+        die_usage("--sat-by %s needs --sat: add --sat or drop --sat-by",
+                  settings->sat_by);
     }
     if (settings->sat && settings->mips) {
         die_usage("--sat contradicts --mips: drop one of them");

@@ -43,14 +43,14 @@ void blur_set_lookup(const Blur *blur, GLuint program)
         glUniform1i(glGetUniformLocation(program, "anisotropy"),
                     blur->anisotropy);
     }
-    if (blur->sat.start_program.id != 0) {
+    if (blur->sat.layers > 0) {
         sat_set_lookup(&blur->sat, program);
     }
 }
 
 void blur_dump(const Blur *blur, GLuint filtered, const char *directory)
 {
-    if (blur->sat.start_program.id != 0) {
+    if (blur->sat.layers > 0) {
         sat_dump(&blur->sat, filtered, blur->empty_vao, directory);
         return;
     }

@@ -1,7 +1,9 @@
 #include "step4_blur/sat.h"
 
 #include <stdint.h> // UINT32_MAX
+#include <string.h> // strcmp
 
+#include "step1_shadowmap/base/die.h"  // die_usage
 #include "step1_shadowmap/base/dump.h" // dump_layers
 
 // Integers cannot be filtered, so the lookup reads single texels.
@@ -31,33 +33,57 @@ static GLuint count_steps(int box_width)
 }
 
 static Program create_program(ShaderFiles files, const char *first,
-                              const char *second)
+                              const char *second, const char *third)
 {
     const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
-    const char *fragment[] = {first, second, NULL};
+    const char *fragment[] = {first, second, third, NULL};
     return gl_program(files, vertex, fragment);
 }
 
-Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius)
+static void add_table(Sat *sat, int i)
 {
-    Sat sat = {.width = size[0],
+    sat->textures[i] = create_table(sat);
+    sat->bytes += (size_t)sat->width * (size_t)sat->height *
+                  (size_t)sat->layers * 2 * sizeof(GLuint);
+}
+
+// Recursive doubling reads one table while it draws the other.
+static void create_fragments(Sat *sat)
+{
+    sat->start_program =
+        create_program(sat->files, "step4_blur/shaders/map_texel.glsl",
+                       "step4_blur/shaders/sat_steps.glsl",
+                       "step4_blur/shaders/sat_start.frag");
+    sat->sum_program = create_program(
+        sat->files, "step4_blur/shaders/sat_sum.frag", NULL, NULL);
+    add_table(sat, 1);
+    for (int i = 0; i < 2; i++) {
+        for (int layer = 0; layer < sat->layers; layer++) {
+            sat->framebuffers[i][layer] =
+                gl_layer_framebuffer(sat->textures[i], layer, 0);
+        }
+    }
+}
+
+Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
+               const char *by)
+{
+    Sat sat = {.files = files,
+               .width = size[0],
                .height = size[1],
                .layers = layers,
                .box_width = 2 * radius + 1,
                .steps = count_steps(2 * radius + 1)};
-    sat.start_program =
-        create_program(files, "step4_blur/shaders/map_texel.glsl",
-                       "step4_blur/shaders/sat_start.frag");
-    sat.sum_program =
-        create_program(files, "step4_blur/shaders/sat_sum.frag", NULL);
-    for (int i = 0; i < 2; i++) {
-        sat.textures[i] = create_table(&sat);
-        sat.bytes += (size_t)sat.width * (size_t)sat.height * (size_t)layers *
-                     2 * sizeof(GLuint);
-        for (int layer = 0; layer < layers; layer++) {
-            sat.framebuffers[i][layer] =
-                gl_layer_framebuffer(sat.textures[i], layer, 0);
-        }
+    bool compute = gl_has_compute() && strcmp(by, "fragments") != 0;
+    if (strcmp(by, "compute") == 0 && !compute) {
+        die_usage("--sat-by compute needs OpenGL 4.3, and this driver has no "
+                  "compute shaders: drop --sat-by");
+    }
+    add_table(&sat, 0);
+    if (compute) {
+        sat.compute = sat_compute_create(files);
+    } else {
+        create_fragments(&sat);
     }
     return sat;
 }
@@ -90,6 +116,12 @@ static int sum_axis(const Sat *sat, int newer, int axis, GLuint empty_vao)
 
 GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao)
 {
+    if (sat->compute.rows.id != 0) {
+        const int size[2] = {sat->width, sat->height};
+        sat_compute_apply(&sat->compute, map, sat->textures[0], size,
+                          sat->layers, sat->steps);
+        return sat->textures[0];
+    }
     GLuint start = sat->start_program.id;
     glViewport(0, 0, sat->width, sat->height);
     glActiveTexture(GL_TEXTURE0);
@@ -116,9 +148,9 @@ void sat_dump(const Sat *sat, GLuint table, GLuint empty_vao,
 {
     GLuint boxes = gl_texture_array(GL_RG32F, sat->width, sat->height,
                                     sat->layers, GL_NEAREST);
-    Program program = create_program(sat->start_program.where,
-                                     "step4_blur/shaders/sat_box.glsl",
-                                     "step4_blur/shaders/sat_dump.frag");
+    Program program =
+        create_program(sat->files, "step4_blur/shaders/sat_box.glsl",
+                       "step4_blur/shaders/sat_dump.frag", NULL);
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, sat->width, sat->height);
     glUseProgram(program.id);
@@ -140,7 +172,8 @@ void sat_dump(const Sat *sat, GLuint table, GLuint empty_vao,
 bool sat_reload(Sat *sat)
 {
     return gl_program_reload(&sat->start_program) &&
-           gl_program_reload(&sat->sum_program);
+           gl_program_reload(&sat->sum_program) &&
+           sat_compute_reload(&sat->compute);
 }
 
 void sat_destroy(Sat *sat)
@@ -149,6 +182,7 @@ void sat_destroy(Sat *sat)
         glDeleteFramebuffers(sat->layers, sat->framebuffers[i]);
     }
     glDeleteTextures(2, sat->textures);
+    sat_compute_destroy(&sat->compute);
     gl_program_destroy(&sat->sum_program);
     gl_program_destroy(&sat->start_program);
     *sat = (Sat){.width = 0};

@@ -5,21 +5,28 @@
 
 #include "step1_shadowmap/base/gl.h"   // Program
 #include "step1_shadowmap/base/view.h" // VIEW_MAX_LAYERS
+#include "step4_blur/sat_compute.h"    // SatCompute
 
 // A table, and the one that the next pass writes.
 typedef struct Sat {
-    Program start_program; // none: there is no table
+    ShaderFiles files;
+    SatCompute compute;    // in place of the two programs
+    Program start_program; // none: compute shaders sum
     Program sum_program;
-    GLuint textures[2]; // of two 32-bit whole numbers
+    GLuint textures[2]; // of two 32-bit whole numbers; one with compute shaders
     GLuint framebuffers[2][VIEW_MAX_LAYERS];
-    int width, height, layers;
-    int box_width; // texels, 2 radius + 1
-    GLuint steps;  // what 1.0 is in whole numbers
+    int width, height, layers; // 0: there is no table
+    int box_width;             // texels, 2 radius + 1
+    GLuint steps;              // what 1.0 is in whole numbers
     size_t bytes;
 } Sat;
 
-// A table for boxes of up to 2 radius + 1 texels of a map of this size.
-Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius);
+// A table for boxes of up to 2 radius + 1 texels of a map of this size. `by`
+// says what sums: compute shaders, fragments, or (auto) compute shaders where
+// the driver has them: both make the same numbers. Refuses (status 2) compute
+// where it has not.
+Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
+               const char *by);
 
 // Sums every layer of the map (moments in red and green) and returns the
 // table.

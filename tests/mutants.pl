@@ -249,6 +249,14 @@ my %mutants = (
         'prefilters', 'step4_blur/shaders/sat_sum.frag',
         'stride * axis', 'stride * ivec2(axis.x, 0)'
     ],
+    'a running sum that begins late' => [
+        'prefilters', 'step4_blur/shaders/sat_rows.comp',
+        'ivec2(0, gl_GlobalInvocationID.x)', 'ivec2(1, gl_GlobalInvocationID.x)'
+    ],
+    'columns that are not summed' => [
+        'prefilters', 'step4_blur/shaders/sat_columns.comp',
+        'sum += imageLoad', 'sum = imageLoad'
+    ],
     'a table whose ends are counted twice' => [
         'prefilters', 'step4_blur/shaders/sat_box.glsl',
         'first + int(floor(end))', 'first + int(floor(end)) + 1'
@@ -259,7 +267,7 @@ my %mutants = (
     ],
     'a table of 16 bits' => [
         'prefilters',
-        'step4_blur/shaders/sat_start.frag',
+        'step4_blur/shaders/sat_steps.glsl',
         'clamp(nearness, 0.0, 1.0) * float(steps) + 0.5',
         'floor(clamp(nearness, 0.0, 1.0) * 65536.0) * float(steps / 65536u)'
     ],

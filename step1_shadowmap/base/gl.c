@@ -123,11 +123,13 @@ static GLuint compile_texts(GLenum type, const char *const files[], int count,
     // The line in front of a file numbers its lines so that they name the file
     // too. (The number of the source string, meant for that, is lost by Mesa in
     // most of its messages.)
+    const char *version =
+        type == GL_COMPUTE_SHADER ? "#version 430 core" : "#version 330 core";
     char before[PROGRAM_MAX_FILES][48];
     const char *sources[2 * PROGRAM_MAX_FILES];
     for (int i = 0; i < count; i++) {
         snprintf(before[i], sizeof before[i], "%s\n#line %d\n",
-                 i == 0 ? "#version 330 core" : "", i * LINES_PER_FILE + 1);
+                 i == 0 ? version : "", i * LINES_PER_FILE + 1);
         sources[2 * i] = before[i];
         sources[2 * i + 1] = texts[i];
     }
@@ -166,16 +168,17 @@ static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
     return shader;
 }
 
-// The linked program, or 0 and the message.
-static GLuint link_shaders(const GLuint shaders[2],
-                           const char *const fragment[], char *message)
+// The linked program, or 0 and the message, which blames the last shader's
+// files.
+static GLuint link_shaders(int count, const GLuint shaders[],
+                           const char *const files[], char *message)
 {
     GLuint id = glCreateProgram();
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < count; i++) {
         glAttachShader(id, shaders[i]);
     }
     glLinkProgram(id);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < count; i++) {
         glDetachShader(id, shaders[i]);
     }
     GLint linked = GL_FALSE;
@@ -183,14 +186,26 @@ static GLuint link_shaders(const GLuint shaders[2],
     if (!linked) {
         char log[LOG_BYTES] = "";
         glGetProgramInfoLog(id, sizeof log, NULL, log);
-        explain_log(log, fragment, message);
+        explain_log(log, files, message);
         glDeleteProgram(id);
         return 0;
     }
     return id;
 }
 
-static GLuint build(const Program *program, char *message)
+static GLuint build_compute(const Program *program, char *message)
+{
+    GLuint id = 0;
+    GLuint shader =
+        compile(program->where, GL_COMPUTE_SHADER, program->compute, message);
+    if (shader != 0) {
+        id = link_shaders(1, &shader, program->compute, message);
+    }
+    glDeleteShader(shader);
+    return id;
+}
+
+static GLuint build_drawing(const Program *program, char *message)
 {
     GLuint id = 0;
     GLuint shaders[2] = {0};
@@ -201,12 +216,18 @@ static GLuint build(const Program *program, char *message)
                              program->fragment, message);
     }
     if (shaders[1] != 0) {
-        id = link_shaders(shaders, program->fragment, message);
+        id = link_shaders(2, shaders, program->fragment, message);
     }
     for (int i = 0; i < 2; i++) {
         glDeleteShader(shaders[i]); // the name 0 is ignored
     }
     return id;
+}
+
+static GLuint build(const Program *program, char *message)
+{
+    return program->compute[0] != NULL ? build_compute(program, message)
+                                       : build_drawing(program, message);
 }
 
 static void copy_names(const char *const from[], const char *to[])
@@ -221,17 +242,35 @@ static void copy_names(const char *const from[], const char *to[])
     to[count] = NULL;
 }
 
+static void build_or_die(Program *program)
+{
+    char message[MESSAGE_BYTES];
+    program->id = build(program, message);
+    if (program->id == 0) {
+        die("%s", message);
+    }
+}
+
 Program gl_program(ShaderFiles where, const char *const vertex[],
                    const char *const fragment[])
 {
-    char message[MESSAGE_BYTES];
     Program program = {.where = where};
     copy_names(vertex, program.vertex);
     copy_names(fragment, program.fragment);
-    program.id = build(&program, message);
-    if (program.id == 0) {
-        die("%s", message);
-    }
+    build_or_die(&program);
+    return program;
+}
+
+bool gl_has_compute(void)
+{
+    return GLAD_GL_VERSION_4_3;
+}
+
+Program gl_compute_program(ShaderFiles where, const char *const files[])
+{
+    Program program = {.where = where};
+    copy_names(files, program.compute);
+    build_or_die(&program);
     return program;
 }
 

@@ -25,10 +25,11 @@ typedef struct ShaderFiles {
 enum { PROGRAM_MAX_FILES = 20 };
 
 // A program, and the files that it is made of: names that stay valid, NULL
-// after the last.
+// after the last. It has either vertex and fragment files, or compute files.
 typedef struct Program {
     GLuint id;
     ShaderFiles where;
+    const char *compute[PROGRAM_MAX_FILES + 1];
     const char *vertex[PROGRAM_MAX_FILES + 1];
     const char *fragment[PROGRAM_MAX_FILES + 1];
 } Program;
@@ -39,6 +40,12 @@ typedef struct Program {
 // error stops the run with the file and line that it is in.
 Program gl_program(ShaderFiles where, const char *const vertex[],
                    const char *const fragment[]);
+
+// Whether this driver has compute shaders (OpenGL 4.3).
+bool gl_has_compute(void);
+
+// The same of a compute shader, which is in version 430 core.
+Program gl_compute_program(ShaderFiles where, const char *const files[]);
 
 // Reads the files again. If they compile, the new program takes the old one's
 // place, with all its uniforms at 0; else one line on stderr gives the file and

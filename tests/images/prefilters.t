@@ -43,6 +43,18 @@ for my $options ( [qw(--radius 1)], [qw(--radius 8)], [qw(--downsample 2)] ) {
         dump_run( 5, qw(--scene edge --sat), @bare, @$options ) );
 }
 
+# What sums the table does not change it.
+for my $options ( [], [qw(--map-size 300x180 --scene room --radius 9)] ) {
+    same_files(
+        "--sat-by compute, fragments @$options",
+        (
+            map { dump_run( 5, @small, @$options, '--sat', '--sat-by', $_ ) }
+              qw(compute fragments)
+        ),
+        qw(blurred.0 visibility)
+    );
+}
+
 # What must not change the picture at all, or by no more than the rounding.
 sub differs_by_at_most {
     my ( $most, $what, $name, @dumps ) = @_;

@@ -178,6 +178,12 @@ my %OPTIONS = (
         steps => [ 4, 5 ],
         check => \&check_sat,
     },
+    'sat-by' => {
+        steps   => [ 4, 5 ],
+        check   => \&check_sat_by,
+        bad     => [ 'gpu', '' ],
+        allowed => qr/auto,compute,fragments/,
+    },
     'min-variance' => {
         steps   => [5],
         differ  => ['0.001'],
@@ -355,6 +361,27 @@ sub check_sat {
             "--sat with --blur $kernel"
         );
     }
+    return;
+}
+
+# The same picture; where the driver has no compute shaders, the choice is made
+# or refused. Mesa can be told to be an older driver.
+sub check_sat_by {
+    my ($step) = @_;
+    my @words = qw(--sat --sat-by);
+    my ( $auto, $compute, $fragments ) =
+      map { draw( $step, @words, $_ ) } qw(auto compute fragments);
+    ok( $auto && $auto eq $compute && $auto eq $fragments,
+        "step $step: --sat-by does not change the picture" );
+    is_refused( $step, [qw(--sat-by compute)],
+        [qr/--sat-by compute.*add --sat or drop --sat-by/],
+        '--sat-by without --sat' );
+    local $ENV{MESA_GL_VERSION_OVERRIDE} = '3.3';
+    is_refused( $step, [ @words, 'compute' ],
+        [qr/--sat-by compute.*4\.3.*drop --sat-by/],
+        '--sat-by compute without OpenGL 4.3' );
+    ok( draw( $step, '--sat' ) eq $auto,
+        "step $step: --sat without OpenGL 4.3" );
     return;
 }
 

@@ -1,0 +1,54 @@
+#include "step4_blur/sat_compute.h"
+
+// Rows or columns that one work group sums, as the shaders say.
+enum { GROUP = 64 };
+
+SatCompute sat_compute_create(ShaderFiles files)
+{
+    static const char *const rows[] = {"step4_blur/shaders/map_texel.glsl",
+                                       "step4_blur/shaders/sat_steps.glsl",
+                                       "step4_blur/shaders/sat_rows.comp",
+                                       NULL};
+    static const char *const columns[] = {"step4_blur/shaders/sat_columns.comp",
+                                          NULL};
+    return (SatCompute){.rows = gl_compute_program(files, rows),
+                        .columns = gl_compute_program(files, columns)};
+}
+
+// Sums `lines` rows or columns of every layer.
+static void sum_lines(GLuint program, int lines, int layers)
+{
+    for (int layer = 0; layer < layers; layer++) {
+        glUniform1i(glGetUniformLocation(program, "layer"), layer);
+        glDispatchCompute((GLuint)((lines + GROUP - 1) / GROUP), 1, 1);
+    }
+}
+
+void sat_compute_apply(const SatCompute *compute, GLuint map, GLuint table,
+                       const int size[2], int layers, GLuint steps)
+{
+    GLuint rows = compute->rows.id;
+    glBindImageTexture(0, table, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG32UI);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, map);
+    glUseProgram(rows);
+    glUniform1i(glGetUniformLocation(rows, "map"), 0);
+    glUniform1ui(glGetUniformLocation(rows, "steps"), steps);
+    sum_lines(rows, size[1], layers);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glUseProgram(compute->columns.id);
+    sum_lines(compute->columns.id, size[0], layers);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+bool sat_compute_reload(SatCompute *compute)
+{
+    return gl_program_reload(&compute->rows) &&
+           gl_program_reload(&compute->columns);
+}
+
+void sat_compute_destroy(SatCompute *compute)
+{
+    gl_program_destroy(&compute->columns);
+    gl_program_destroy(&compute->rows);
+}

@@ -1,0 +1,17 @@
+// A running sum along each row, one row for each invocation: n additions where
+// recursive doubling reads 4 texels in each of log4(n) passes.
+
+layout(local_size_x = 64) in;
+
+layout(rg32ui) writeonly uniform uimage2DArray table;
+
+void main()
+{
+    ivec2 size = imageSize(table).xy;
+    ivec2 texel = ivec2(0, gl_GlobalInvocationID.x);
+    uvec2 sum = uvec2(0u);
+    for (; texel.y < size.y && texel.x < size.x; texel.x++) {
+        sum += nearness_steps(map_texel(texel));
+        imageStore(table, ivec3(texel, layer), uvec4(sum, 0u, 0u));
+    }
+}
