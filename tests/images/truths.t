@@ -83,6 +83,8 @@ for my $options (
 }
 oracle( 'truths', dump_run( 5, '--scene', 'bleed', @bare ) );
 oracle( 'truths', dump_run( 5, '--scene', 'empty', @bare ) );
+oracle( 'truths', dump_run( 5, '--scene', 'empty', '--light', $_, @bare ) )
+  for qw(spot point);
 oracle( 'truths', dump_run( 4, '--scene', 'teapot:elevation=90', @small ) );
 
 # A hard shadow map of surfaces perpendicular to the light, its bias aside, is

@@ -8,7 +8,7 @@
 
 struct ErrorOptions {
     double rays = 256;      // of each average
-    double light_size = 0;  // tangent of the light's angular diameter; 0: none
+    double light_size = 0;  // diameter, see area_truth; 0: none
     std::string write_into; // a folder, or empty
 };
 

@@ -55,17 +55,6 @@ IdealMap::IdealMap(const MapView &view, const RayScene &rays)
         outline_.insert(row.begin(), row.end());
 }
 
-// n.p is constant on the plane; p is linear in u, v and t.
-MapPlane plane_of(const glm::dvec3 &point, const MapView &view,
-                  const glm::dvec3 &normal)
-{
-    glm::dvec3 zero = point_of_map(view, {0, 0, 0});
-    double du = glm::dot(normal, point_of_map(view, {1, 0, 0}) - zero);
-    double dv = glm::dot(normal, point_of_map(view, {0, 1, 0}) - zero);
-    double dt = glm::dot(normal, point_of_map(view, {0, 0, 1}) - zero);
-    return {point.x, point.y, point.z, -du / dt, -dv / dt};
-}
-
 glm::dvec3 normal_towards(const Triangle &triangle, const glm::dvec3 &direction)
 {
     glm::dvec3 n = glm::normalize(triangle.normal());

@@ -1,5 +1,4 @@
-// What the map would hold without a rasteriser, and the plane of a receiver
-// in it.
+// What the map would hold without a rasteriser.
 #ifndef ORACLE_IDEAL_MAP_H
 #define ORACLE_IDEAL_MAP_H
 
@@ -50,19 +49,6 @@ class IdealMap
     std::vector<double> depths_;
     std::unordered_map<size_t, std::array<double, 4>> outline_;
 };
-
-// A receiver's own plane in the map: t at u + du, v + dv.
-struct MapPlane {
-    double u, v, t, per_u, per_v;
-    double at(double other_u, double other_v) const
-    {
-        return t + per_u * (other_u - u) + per_v * (other_v - v);
-    }
-};
-
-// The plane through a point given in u, v, t; the normal is relative space's.
-MapPlane plane_of(const glm::dvec3 &point, const MapView &view,
-                  const glm::dvec3 &normal);
 
 // The triangle's unit normal on the side of `direction`.
 glm::dvec3 normal_towards(const Triangle &triangle,

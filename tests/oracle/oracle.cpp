@@ -33,7 +33,8 @@ static const char *const USAGE =
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
     "  errors   CSV of visibility against every truth [rays=256] [write=DIR]\n"
-    "           [light-size=X], the tangent of the light's diameter\n"
+    "           [light-size=X], the light's diameter in world units; of a\n"
+    "           directional one at a distance of 1\n"
     "  truths   the truths themselves where they are known: scenes edge,\n"
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
     "  compare  A B [max=0] [share=1]: two picture files\n";

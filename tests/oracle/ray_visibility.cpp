@@ -3,6 +3,7 @@
 
 #include "tests/oracle/ideal_map.h"
 #include "tests/oracle/light.h"
+#include "tests/oracle/own_plane.h"
 #include "tests/oracle/projection.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/rounding.h"
@@ -15,26 +16,6 @@ enum class Truth { LIT, SHADOWED, APART };
 struct Tally {
     size_t lit = 0, lit_wrong = 0, shadowed = 0, shadowed_wrong = 0, apart = 0;
     double darkest_lit = 1, brightest_shadowed = 0;
-};
-
-// The plane through the receiver, across its true normal.
-struct OwnPlane {
-    const Receiver &receiver;
-    const MapView &view;
-    glm::dvec3 normal;
-
-    // The depth where the light's ray through u, v meets it; infinite where
-    // it does not.
-    double at(double u, double v) const
-    {
-        Ray ray = map_ray(view, u, v, 0);
-        double along = glm::dot(normal, ray.direction);
-        double t = glm::dot(normal, receiver.position - ray.origin) / along;
-        // The light itself is at distance 0.
-        bool behind =
-            !view.parallel() && t < -view.near / (view.far - view.near);
-        return along == 0 || behind ? INFINITY : t;
-    }
 };
 
 struct RayContext { // what does not change from pixel to pixel
@@ -61,18 +42,18 @@ static int filter_reach(const Run &run)
 // receiver, by more than the bias. Mixtures, and occluders within the bias, are
 // APART.
 static Truth texels_in_reach(const IdealMap &map, int reach,
-                             const OwnPlane &plane, double bias,
-                             double rounding)
+                             const Receiver &receiver, const OwnPlane &plane,
+                             double bias, double rounding)
 {
     int width = map.width(), height = map.height();
-    int centre_x = int(std::floor(plane.receiver.u * width));
-    int centre_y = int(std::floor(plane.receiver.v * height));
+    int centre_x = int(std::floor(receiver.u * width));
+    int centre_y = int(std::floor(receiver.v * height));
     bool lit = true, shadowed = true;
     for (int y = centre_y - reach; y <= centre_y + reach; y++)
         for (int x = centre_x - reach; x <= centre_x + reach; x++) {
-            double own = plane.at((x + 0.5) / width, (y + 0.5) / height);
+            double own = plane.depth((x + 0.5) / width, (y + 0.5) / height);
             double depth = map.at(x, y);
-            double nearest = std::min(own, plane.receiver.t);
+            double nearest = std::min(own, receiver.t);
             lit = lit && depth >= own - rounding;
             shadowed = shadowed && depth < nearest - bias - rounding;
         }
@@ -107,7 +88,7 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
                       const MapView &view, const IdealMap &map,
                       const glm::dvec3 &normal)
 {
-    OwnPlane plane{r, view, normal};
+    OwnPlane plane(view, r.position, normal);
     const Settings &settings = context.run.settings;
     double bias = 0;
     if (context.run.step <= 4)
@@ -117,8 +98,8 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
                    .hi;
     // Of the position, as a depth, and of the plane's slope over the reach.
     double rounding = rounding_share(32) * depth_size(view, context.extent);
-    Truth truth =
-        texels_in_reach(map, filter_reach(context.run), plane, bias, rounding);
+    Truth truth = texels_in_reach(map, filter_reach(context.run), r, plane,
+                                  bias, rounding);
     bool dark = in_shadow(context, r, view, normal);
     bool same = dark ? truth == Truth::SHADOWED : truth == Truth::LIT;
     return same ? truth : Truth::APART;

@@ -20,7 +20,6 @@ struct Surface {
     int object = -1;    // index in the scene
     glm::dvec3 point;   // relative, on the triangle's plane
     glm::dvec3 normal;  // the triangle's, unit length, towards the viewer
-    MapPlane plane;     // in the map
 };
 
 struct Pixel {
@@ -48,16 +47,19 @@ struct TruthScene {
         return run.views[size_t(r.layer)];
     }
     Pixel pixel(int x, int y) const;
-    bool lit(const glm::dvec3 &point, const glm::dvec3 &to_light) const;
+    // Whether nothing lies between the point and the light's middle.
+    bool lit(const MapView &view, const glm::dvec3 &point) const;
+    // The pixel's point, off its surface.
+    glm::dvec3 lifted(const Surface &surface) const
+    {
+        return surface.point + lift * surface.normal;
+    }
 
     // How far a depth t in the map can be off: rasterised, or ray cast
     // against the plane of another triangle of the same flat surface.
     double float_rounding(const MapView &view) const;
     double tie_rounding(const MapView &view) const;
 };
-
-// Unit length, against the way the light travels.
-glm::dvec3 to_light(const MapView &view);
 
 struct TruthValue {
     double value;
@@ -73,6 +75,15 @@ struct TruthValue {
     }
 };
 
+// In the layer of this receiver alone: the pixel's own, or the same point in
+// the next one.
+using LayerTruth = std::function<TruthValue(const Pixel &, const Receiver &)>;
+
+// What is outside the map is lit; where one split hands over to the next, a
+// mixture of what is true in each.
+TruthValue over_layers(const TruthScene &scene, const Pixel &pixel,
+                       const LayerTruth &at);
+
 struct Truth {
     std::string name;
     std::function<TruthValue(const Pixel &)> at; // for pixels that count
@@ -86,14 +97,16 @@ Truth lower_truth(const TruthScene &scene, double ties = 0);
 // as the plane are dark. Texels on an outline may count or not.
 Truth pcf_truth(const TruthScene &scene, double ties = 1);
 
-// Hard visibility averaged over the kernel on the receiver's plane.
+// Hard visibility averaged over the kernel, seen from the light on the
+// receiver's plane.
 Truth footprint_truth(const TruthScene &scene, double rays);
 
 // Hard visibility of the pixel's point.
 Truth hard_truth(const TruthScene &scene);
 
-// The visible share of a disc around the light's direction; `size` is the
-// tangent of its angular diameter.
+// The visible share of a disc around the light that faces the receiver. `size`
+// is its diameter in world units, or of a parallel light at a distance of 1:
+// twice the tangent of half the angle under which it is seen.
 Truth area_truth(const TruthScene &scene, double rays, double size);
 
 #endif

@@ -1,24 +1,21 @@
-#include <cmath>  // abs
+#include <cmath>  // abs, INFINITY
 #include <memory> // shared_ptr
 
+#include "tests/oracle/light.h" // towards_light
 #include "tests/oracle/strata.h"
 #include "tests/oracle/truth.h"
-
-static glm::dvec3 lifted(const TruthScene &scene, const Surface &surface)
-{
-    return surface.point + scene.lift * surface.normal;
-}
 
 Truth hard_truth(const TruthScene &scene)
 {
     auto at = [&scene](const Pixel &pixel) -> TruthValue {
-        glm::dvec3 light = to_light(scene.view(pixel.receiver));
-        return {scene.lit(lifted(scene, pixel.surface), light) ? 1.0 : 0.0};
+        const MapView &view = scene.view(pixel.receiver);
+        glm::dvec3 point = scene.lifted(pixel.surface);
+        return {scene.lit(view, point) ? 1.0 : 0.0};
     };
     return {"hard", at};
 }
 
-// Two directions of unit length across the light's, and across each other.
+// Two directions of unit length across a third, and across each other.
 static void span(const glm::dvec3 &light, glm::dvec3 &a, glm::dvec3 &b)
 {
     glm::dvec3 other(0);
@@ -34,15 +31,18 @@ Truth area_truth(const TruthScene &scene, double rays, double size)
         for (glm::dvec2 &point : pattern)
             point = size / 2 * disc_point(point);
     auto at = [&scene, strata](const Pixel &pixel) -> TruthValue {
-        glm::dvec3 light = to_light(scene.view(pixel.receiver)), a, b;
-        span(light, a, b);
+        const MapView &view = scene.view(pixel.receiver);
+        glm::dvec3 point = scene.lifted(pixel.surface), a, b;
+        glm::dvec3 light = towards_light(view, point);
+        span(glm::normalize(light), a, b);
+        // A parallel light is a disc at a distance of 1 that goes on for ever.
+        double end = view.parallel() ? INFINITY : 1;
         const Pattern &pattern = strata->at(pixel.x, pixel.y);
         double lit = 0;
-        for (const glm::dvec2 &p : pattern)
-            lit += scene.lit(lifted(scene, pixel.surface),
-                             light + p.x * a + p.y * b)
-                       ? 1
-                       : 0;
+        for (const glm::dvec2 &p : pattern) {
+            Ray ray{point, light + p.x * a + p.y * b};
+            lit += scene.rays.occluded(ray, end) ? 0 : 1;
+        }
         return {lit / double(pattern.size())};
     };
     return {"area", at};

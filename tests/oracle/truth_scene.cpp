@@ -1,7 +1,6 @@
-#include <cmath> // abs
+#include <cmath> // abs, INFINITY
 
 #include "tests/oracle/light.h"
-#include "tests/oracle/report.h" // BadInput
 #include "tests/oracle/rounding.h"
 #include "tests/oracle/truth.h"
 
@@ -14,16 +13,8 @@ TruthScene::TruthScene(const Run &the_run)
       // Embree's vertices and the ray's origin are off by a unit each.
       lift(rounding_share(16) * extent)
 {
-    if (!run.views.at(0).parallel() || run.views.at(0).split())
-        throw BadInput("the truths are made for a directional light with one "
-                       "map only");
     for (const MapView &view : run.views)
         ideal.emplace_back(view, rays);
-}
-
-glm::dvec3 to_light(const MapView &view)
-{
-    return -glm::normalize(glm::dvec3(view.rows[2]));
 }
 
 // The triangle that a ray within SUBPIXEL of the pixel's centre meets, when
@@ -31,7 +22,6 @@ glm::dvec3 to_light(const MapView &view)
 static Surface surface_at(const TruthScene &scene, int x, int y,
                           const Receiver &r)
 {
-    const MapView &view = scene.view(r);
     for (double dy : {0.0, -SUBPIXEL, SUBPIXEL})
         for (double dx : {0.0, -SUBPIXEL, SUBPIXEL}) {
             Ray ray{{}, scene.camera.ray(x + 0.5 + dx, y + 0.5 + dy)};
@@ -44,10 +34,9 @@ static Surface surface_at(const TruthScene &scene, int x, int y,
             if (std::abs(off) > rounding_share(64) * scene.extent)
                 continue;
             glm::dvec3 point = r.position - off * n;
-            return {true, triangle.object, point, n,
-                    plane_of(map_point(view, point), view, n)};
+            return {true, triangle.object, point, n};
         }
-    return {false, -1, r.position, r.normal, {}};
+    return {false, -1, r.position, r.normal};
 }
 
 Pixel TruthScene::pixel(int x, int y) const
@@ -64,9 +53,29 @@ Pixel TruthScene::pixel(int x, int y) const
     return pixel;
 }
 
-bool TruthScene::lit(const glm::dvec3 &point, const glm::dvec3 &towards) const
+bool TruthScene::lit(const MapView &view, const glm::dvec3 &point) const
 {
-    return !rays.occluded({point, towards});
+    return !rays.occluded({point, towards_light(view, point)},
+                          view.parallel() ? INFINITY : 1);
+}
+
+TruthValue over_layers(const TruthScene &scene, const Pixel &pixel,
+                       const LayerTruth &at)
+{
+    auto in_layer = [&](const Receiver &r) {
+        bool held = size_t(r.layer) < scene.run.views.size();
+        return held && inside_map(r) ? at(pixel, r) : TruthValue{1};
+    };
+    const Receiver &r = pixel.receiver;
+    TruthValue own = in_layer(r);
+    if (r.share == 0)
+        return own;
+    TruthValue next = in_layer(r.in_next());
+    auto mixed = [&](double a, double b) {
+        return (1 - r.share) * a + r.share * b;
+    };
+    return {mixed(own.value, next.value), own.apart || next.apart,
+            mixed(own.below, next.below), mixed(own.above, next.above)};
 }
 
 double TruthScene::tie_rounding(const MapView &view) const

@@ -1,7 +1,7 @@
 #include <memory> // shared_ptr
 
 #include "tests/oracle/footprint.h"
-#include "tests/oracle/light.h" // inside_map
+#include "tests/oracle/own_plane.h"
 #include "tests/oracle/truth.h"
 
 // The weight of the texels for which lit(x, y) holds, with the step's whole
@@ -27,16 +27,16 @@ Truth lower_truth(const TruthScene &scene, double ties)
     auto maps = std::make_shared<std::vector<Picture>>();
     for (size_t layer = 0; layer < scene.run.views.size(); layer++)
         maps->push_back(load_map(scene.run, int(layer)));
-    auto at = [&scene, maps, ties](const Pixel &pixel) -> TruthValue {
-        const Receiver &r = pixel.receiver;
-        if (!inside_map(r))
-            return {1};
+    auto at = [&scene, maps, ties](const Pixel &,
+                                   const Receiver &r) -> TruthValue {
         const Picture &map = (*maps)[size_t(r.layer)];
         return {weight_of(scene, r, [&](int x, int y) {
             return !map.holds(x, y) || double(map.at(x, y)) >= r.t - ties;
         })};
     };
-    return {"lower", at};
+    return {"lower", [&scene, at](const Pixel &pixel) {
+                return over_layers(scene, pixel, at);
+            }};
 }
 
 // Whether an ideal texel is lit: at its centre; for an outline's texel, also
@@ -48,12 +48,12 @@ struct Lit {
 };
 } // namespace
 
-static Lit compare(const IdealMap &map, const MapPlane &plane, double slack,
+static Lit compare(const IdealMap &map, const OwnPlane &plane, double slack,
                    int x, int y)
 {
     auto own = [&](double dx, double dy) {
-        return plane.at((x + 0.5 + dx) / map.width(),
-                        (y + 0.5 + dy) / map.height()) -
+        return plane.depth((x + 0.5 + dx) / map.width(),
+                           (y + 0.5 + dy) / map.height()) -
                slack;
     };
     bool middle = map.at(x, y) >= own(0, 0);
@@ -70,25 +70,26 @@ static Lit compare(const IdealMap &map, const MapPlane &plane, double slack,
 
 Truth pcf_truth(const TruthScene &scene, double ties)
 {
-    auto at = [&scene, ties](const Pixel &pixel) -> TruthValue {
-        const Receiver &r = pixel.receiver;
-        if (!inside_map(r))
-            return {1};
+    auto at = [&scene, ties](const Pixel &pixel,
+                             const Receiver &r) -> TruthValue {
         if (!pixel.surface.found)
             return {1, true};
         const IdealMap &map = scene.ideal[size_t(r.layer)];
+        OwnPlane plane(scene.view(r), pixel.surface.point,
+                       pixel.surface.normal);
         double slack = ties * scene.tie_rounding(scene.view(r));
         auto weight = [&](bool Lit::*which) {
             return weight_of(scene, r, [&](int x, int y) {
                 bool inside =
                     x >= 0 && y >= 0 && x < map.width() && y < map.height();
-                return !inside ||
-                       compare(map, pixel.surface.plane, slack, x, y).*which;
+                return !inside || compare(map, plane, slack, x, y).*which;
             });
         };
         double middle = weight(&Lit::middle);
         return {middle, false, middle - weight(&Lit::all),
                 weight(&Lit::any) - middle};
     };
-    return {"pcf", at};
+    return {"pcf", [&scene, at](const Pixel &pixel) {
+                return over_layers(scene, pixel, at);
+            }};
 }
