@@ -17,6 +17,7 @@
 #include "tests/oracle/mip_levels.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/scene_table.h"
+#include "tests/oracle/serve.h"
 #include "tests/oracle/shading.h"
 #include "tests/oracle/stage.h"
 #include "tests/oracle/truth_checks.h"
@@ -37,7 +38,9 @@ static const char *const USAGE =
     "           directional one at a distance of 1\n"
     "  truths   the truths themselves where they are known: scenes edge,\n"
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
-    "  compare  A B [max=0] [share=1]: two picture files\n";
+    "  compare  A B [max=0] [share=1]: two picture files\n"
+    "  serve    SECONDS: answers such words, one line each, separated by "
+    "tabs\n";
 
 using Words = std::vector<std::string>;
 
@@ -147,17 +150,14 @@ static void run_compare(const Words &words, Report &report)
                      arguments.number("share", 1), report);
 }
 
-int main(int count, char **values)
+// One check; the exit status.
+static int answer(const Words &given)
 {
-    if (count < 3) {
-        std::fputs(USAGE, stderr);
-        return 2;
-    }
-    std::string check = values[1];
-    Words words(values + 2, values + count);
+    std::string check = given[0];
+    Words words(given.begin() + 1, given.end());
+    Words rest(given.begin() + 2, given.end());
     Report report;
     try {
-        Words rest(words.begin() + 1, words.end());
         if (check == "errors") {
             run_errors(words[0], rest);
             return 0;
@@ -173,4 +173,16 @@ int main(int count, char **values)
         return 2;
     }
     return report.all_passed() ? 0 : 1;
+}
+
+int main(int count, char **values)
+{
+    Words words(values + 1, values + count);
+    if (words.size() == 2 && words[0] == "serve")
+        return serve(words[1], answer);
+    if (words.size() < 2) {
+        std::fputs(USAGE, stderr);
+        return 2;
+    }
+    return answer(words);
 }
