@@ -3,7 +3,7 @@
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw_create_from
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
@@ -11,13 +11,15 @@
 #include "step3_moments/moments.h"           // moments_create
 #include "step4_blur/blur.h"                 // blur_apply
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_apply
+#include "step5_chebyshev/deferred.h"        // deferred_draw
 
 static struct {
     BaseSettings base;
     MomentsSettings moments;
     BlurSettings blur;
     ChebyshevSettings chebyshev;
-    OptionTable options[5];
+    DeferredSettings deferring;
+    OptionTable options[6];
     Context context;
     Scene scene;
     Views views;
@@ -26,6 +28,7 @@ static struct {
     Blur filter;
     GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
+    Deferred deferred;
     Stopwatch stopwatch;
     Window window;
 } state;
@@ -41,6 +44,8 @@ static void read_settings(int argc, char **argv)
     state.options[2] = (OptionTable){blur_options, &state.blur, {false}};
     state.options[3] =
         (OptionTable){chebyshev_options, &state.chebyshev, {false}};
+    state.options[4] =
+        (OptionTable){deferred_options, &state.deferring, {false}};
     options_parse(argc, argv, state.options);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
     base_settings_check(&state.base);
@@ -61,7 +66,10 @@ static void create(void)
     state.filter = blur_create(base_shader_files(&state.base), &state.blur,
                                &state.map, moments_format(&state.moments));
     state.picture =
-        scene_draw_create(&state.base, state.scene.light.kind, visibility);
+        scene_draw_create_from(deferred_source(&state.deferring), &state.base,
+                               state.scene.light.kind, visibility);
+    state.deferred =
+        deferred_create(&state.deferring, &state.base, &state.picture);
 }
 
 static void draw_frame(void)
@@ -74,8 +82,8 @@ static void draw_frame(void)
     chebyshev_apply(&state.chebyshev, moments_format(&state.moments),
                     state.picture.program.id);
     blur_set_lookup(&state.filter, state.picture.program.id);
-    scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
-               state.filtered);
+    deferred_draw(&state.deferred, &state.picture, &state.scene,
+                  &state.geometry, &state.views, state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");
 }
 
@@ -101,7 +109,8 @@ static void run_window(void)
         if (state.window.reload) {
             bool compiled = shadow_map_reload(&state.map) &&
                             blur_reload(&state.filter) &&
-                            scene_draw_reload(&state.picture);
+                            scene_draw_reload(&state.picture) &&
+                            deferred_reload(&state.deferred);
             window_reload(&state.window, compiled);
         }
         views_fit(&state.views, &state.scene, &state.base,
@@ -114,6 +123,7 @@ static void run_window(void)
 
 static void destroy(void)
 {
+    deferred_destroy(&state.deferred);
     scene_draw_destroy(&state.picture);
     blur_destroy(&state.filter);
     shadow_map_destroy(&state.map);

@@ -210,6 +210,20 @@ my %mutants = (
           . '                 1.0)',
         '(p_max - bleed_reduction) / (1.0 - bleed_reduction)'
     ],
+    'the normal of the other side' => [
+        'deferred', 'step5_chebyshev/shaders/gbuffer.frag',
+        'stored_normal = viewer_normal()', 'stored_normal = -viewer_normal()'
+    ],
+    'the next pixel\'s position' => [
+        'deferred', 'step5_chebyshev/shaders/surface_stored.glsl',
+        'stored_position, ivec2(gl_FragCoord.xy)',
+        'stored_position, ivec2(gl_FragCoord.xy) + ivec2(1, 0)'
+    ],
+    'derivatives taken of stored positions' => [
+        'deferred', 'step5_chebyshev/shaders/steps_stored.glsl',
+        'texelFetch(stored_right, ivec2(gl_FragCoord.xy), 0).xyz',
+        'dFdx(relative_position)'
+    ],
     'levels made with a box' => [
         'prefilters', 'step4_blur/shaders/mips.frag',
         'vec4(1.0, 3.0, 3.0, 1.0) / 8.0',
@@ -229,7 +243,7 @@ my %mutants = (
         'wanted - fine)', '0.0)'
     ],
     'derivatives of x and y swapped' => [
-        'prefilters', 'step1_shadowmap/shaders/footprint.glsl',
+        'prefilters', 'step1_shadowmap/shaders/steps.glsl',
         'dFdx(relative_position)', 'dFdy(relative_position)'
     ],
     'taps along the shorter axis' => [

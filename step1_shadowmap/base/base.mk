@@ -17,6 +17,7 @@ base := \
     step1_shadowmap/base/dvec.h \
     step1_shadowmap/base/geometry.h step1_shadowmap/base/geometry.c \
     step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
+    step1_shadowmap/shaders/surface.glsl \
     step1_shadowmap/shaders/layer_only.glsl \
     step1_shadowmap/shaders/layer_face.glsl \
     step1_shadowmap/shaders/layer_split.glsl \
@@ -30,6 +31,7 @@ base := \
     step1_shadowmap/shaders/fullscreen.vert \
     step1_shadowmap/shaders/legend.frag \
     step1_shadowmap/shaders/dump.glsl \
+    step1_shadowmap/shaders/steps.glsl \
     step1_shadowmap/shaders/footprint.glsl \
     step1_shadowmap/shaders/footprint_nothing.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \

@@ -12,6 +12,12 @@ enum { MAX_FILES = PROGRAM_MAX_FILES };
 
 const char scene_draw_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
 
+const SceneSource scene_source_drawn = {
+    .vertex = "step1_shadowmap/shaders/scene.vert",
+    .surface = "step1_shadowmap/shaders/surface.glsl",
+    .steps = "step1_shadowmap/shaders/steps.glsl",
+};
+
 // A spot loses its brightness between this part of its cone and the edge.
 #define BRIGHT_PART 0.8
 
@@ -44,13 +50,12 @@ static bool uses_footprint(const char *const visibility[])
 }
 
 // The attachment of each output, or none.
-static void choose_outputs(SceneDraw *draw, const BaseSettings *settings,
-                           const char *const visibility[])
+static void choose_outputs(SceneDraw *draw, const BaseSettings *settings)
 {
     bool dumped = settings->dump != NULL;
     for (int i = 0; i < SCENE_DRAW_OUTPUTS; i++) {
         bool used = i == OUTPUT_IMAGE || dumped;
-        used = used && (i != OUTPUT_FOOTPRINT || uses_footprint(visibility));
+        used = used && (i != OUTPUT_FOOTPRINT || draw->footprint);
         used = used && (i != OUTPUT_HANDOVER || settings->splits > 1);
         draw->buffers[i] = used ? GL_COLOR_ATTACHMENT0 + (GLenum)i : GL_NONE;
     }
@@ -66,17 +71,20 @@ static const char *layer_shader(const BaseSettings *settings, LightKind kind)
                                 : "step1_shadowmap/shaders/layer_only.glsl";
 }
 
-static Program create_program(const BaseSettings *settings, LightKind kind,
+static Program create_program(const SceneSource *source,
+                              const BaseSettings *settings, LightKind kind,
                               const char *const visibility[])
 {
-    static const char *const vertex[] = {"step1_shadowmap/shaders/scene.vert",
-                                         NULL};
+    const char *const vertex[] = {source->vertex, NULL};
     const ShowMode *mode = base_show_mode(settings);
     const char *fragment[MAX_FILES] = {
-        "step1_shadowmap/shaders/light_depth.glsl",
+        source->surface, "step1_shadowmap/shaders/light_depth.glsl",
         layer_shader(settings, kind),
         "step1_shadowmap/shaders/map_coordinates.glsl"};
-    int count = 3;
+    int count = 4;
+    if (uses_footprint(visibility)) {
+        fragment[count++] = source->steps;
+    }
     for (int i = 0; visibility[i] != NULL; i++) {
         if (count + 6 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
@@ -119,10 +127,20 @@ static void create_framebuffer(SceneDraw *draw)
 SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
                             const char *const visibility[])
 {
+    return scene_draw_create_from(&scene_source_drawn, settings, kind,
+                                  visibility);
+}
+
+SceneDraw scene_draw_create_from(const SceneSource *source,
+                                 const BaseSettings *settings, LightKind kind,
+                                 const char *const visibility[])
+{
     gl_check_size("size", settings->size[0], settings->size[1]);
-    SceneDraw draw = {.width = settings->size[0], .height = settings->size[1]};
-    choose_outputs(&draw, settings, visibility);
-    draw.program = create_program(settings, kind, visibility);
+    SceneDraw draw = {.footprint = uses_footprint(visibility),
+                      .width = settings->size[0],
+                      .height = settings->size[1]};
+    choose_outputs(&draw, settings);
+    draw.program = create_program(source, settings, kind, visibility);
     draw.shaded = strcmp(settings->show, "shaded") == 0;
     draw.legend =
         legend_create(base_shader_files(settings), base_show_mode(settings),
@@ -172,8 +190,8 @@ static void clear(const SceneDraw *draw, const Scene *scene)
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
-void scene_draw(const SceneDraw *draw, const Scene *scene,
-                const Geometry *geometry, const Views *views, GLuint map)
+void scene_draw_begin(const SceneDraw *draw, const Scene *scene,
+                      const Views *views, GLuint map)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
     glViewport(0, 0, draw->width, draw->height);
@@ -184,8 +202,19 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
     set_uniforms(draw->program.id, scene, views);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, map);
-    geometry_draw(geometry, scene, views->origin, draw->program.id);
+}
+
+void scene_draw_end(const SceneDraw *draw)
+{
     legend_draw(&draw->legend);
+}
+
+void scene_draw(const SceneDraw *draw, const Scene *scene,
+                const Geometry *geometry, const Views *views, GLuint map)
+{
+    scene_draw_begin(draw, scene, views, map);
+    geometry_draw(geometry, scene, views->origin, draw->program.id);
+    scene_draw_end(draw);
 }
 
 bool scene_draw_reload(SceneDraw *draw)

@@ -13,8 +13,21 @@ enum { SCENE_DRAW_OUTPUTS = 7 };
 // to know how far apart the pixels are in the map.
 extern const char scene_draw_footprint[];
 
+// Where the shading finds what a pixel shows: the vertex shader, the file that
+// defines relative_position, viewer_normal() and albedo, and the one that
+// defines to_right and to_above, which only footprint.glsl needs.
+typedef struct SceneSource {
+    const char *vertex;
+    const char *surface;
+    const char *steps;
+} SceneSource;
+
+// From the rasteriser, while the scene is drawn.
+extern const SceneSource scene_source_drawn;
+
 typedef struct SceneDraw {
     Program program;
+    bool footprint; // the shaders ask for it
     GLuint framebuffer;
     GLuint depth_buffer;
     GLuint outputs[SCENE_DRAW_OUTPUTS]; // picture; with --dump the rest too
@@ -31,9 +44,20 @@ typedef struct SceneDraw {
 SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
                             const char *const visibility[]);
 
+// The same from another source.
+SceneDraw scene_draw_create_from(const SceneSource *source,
+                                 const BaseSettings *settings, LightKind kind,
+                                 const char *const visibility[]);
+
 // Draws one frame with `map` (a 2D array texture) as the shader's shadow_map.
 void scene_draw(const SceneDraw *draw, const Scene *scene,
                 const Geometry *geometry, const Views *views, GLuint map);
+
+// What comes before the pixels of a frame, and after them: clears the picture
+// and sets the program and its uniforms; draws the legend.
+void scene_draw_begin(const SceneDraw *draw, const Scene *scene,
+                      const Views *views, GLuint map);
+void scene_draw_end(const SceneDraw *draw);
 
 // Compiles the shaders again; see gl_program_reload.
 bool scene_draw_reload(SceneDraw *draw);

@@ -1,10 +1,5 @@
 // How far apart neighbouring pixels are in the map.
 
-// A derivative has no value in a branch that a neighbour may not take, so both
-// are taken here, before main() begins.
-vec3 to_right = dFdx(relative_position);
-vec3 to_above = dFdy(relative_position);
-
 // How u and v change from this pixel to the next ones: du/dx, dv/dx, du/dy,
 // dv/dy. From the position, not from u and v: a neighbour may lie in another
 // layer. u and v are quotients by w, which is 1 for a parallel light.

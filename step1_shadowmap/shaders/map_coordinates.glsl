@@ -1,7 +1,5 @@
 // Where a point of the picture is in the shadow map, and how deep.
 
-in vec3 relative_position;  // of the point, to the camera
-
 struct Receiver {
     vec2 uv;      // in [0, 1] across the map; v grows upwards
     float depth;  // t in [0, 1] from the near to the far plane

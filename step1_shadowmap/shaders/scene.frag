@@ -1,13 +1,10 @@
 // Shading, the same in every step: what differs is visibility().
 
-uniform vec3 albedo;    // linear RGB
 uniform vec3 radiance;  // of the light, linear RGB
 uniform vec3 ambient;   // from everywhere else, linear RGB
 uniform float reference_distance;  // where the radiance holds
 uniform vec3 cone_axis;            // of a spot light, unit
 uniform vec2 cone_cosines;         // at its edge, and where it is full bright
-
-in vec3 surface_normal;
 
 layout(location = 0) out vec4 color;
 
@@ -36,7 +33,7 @@ float mixed_visibility(Receiver receiver, Receiver next, float share)
 
 void main()
 {
-    vec3 normal = normalize(gl_FrontFacing ? surface_normal : -surface_normal);
+    vec3 normal = viewer_normal();
     int layer = map_layer(relative_position);
     float share = next_layer_share(relative_position);
     Receiver receiver = map_coordinates(relative_position, normal, layer);

@@ -184,6 +184,7 @@ my %OPTIONS = (
         bad     => [ 'gpu', '' ],
         allowed => qr/auto,compute,fragments/,
     },
+    deferred       => { steps => [5], check => \&check_deferred },
     'min-variance' => {
         steps   => [5],
         differ  => ['0.001'],
@@ -385,6 +386,14 @@ sub check_sat_by {
     return;
 }
 
+# The same picture, from a buffer; the background is none of it.
+sub check_deferred {
+    my ( $step, $plain ) = @_;
+    is( draw( $step, '--deferred' ),
+        $plain, "step $step: --deferred draws the same picture" );
+    return;
+}
+
 # A shader that was edited is used, and the others still come from the tree.
 sub check_shaders {
     my ( $step, $plain ) = @_;
@@ -423,7 +432,7 @@ sub check_help {
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent =
       grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
-      qw(bilinear dump help light list-scenes mips sat shaders window);
+      qw(bilinear deferred dump help light list-scenes mips sat shaders window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;

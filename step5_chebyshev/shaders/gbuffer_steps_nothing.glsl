@@ -1,0 +1,5 @@
+// No lookup asks for the footprint.
+
+void store_steps()
+{
+}

@@ -1,0 +1,14 @@
+// --deferred, second pass: what this pixel shows, from the G-buffer.
+
+uniform sampler2D stored_position;
+uniform sampler2D stored_normal;
+uniform sampler2D stored_albedo;
+
+vec3 relative_position =
+    texelFetch(stored_position, ivec2(gl_FragCoord.xy), 0).xyz;
+vec3 albedo = texelFetch(stored_albedo, ivec2(gl_FragCoord.xy), 0).rgb;
+
+vec3 viewer_normal()
+{
+    return texelFetch(stored_normal, ivec2(gl_FragCoord.xy), 0).xyz;
+}
