@@ -70,6 +70,9 @@ GLuint blur_apply(const Blur *blur, const ShadowMap *moments);
 
 enum { BLUR_MAX_SHADERS = 6 };
 
+// The one of them that looks up a table's box.
+extern const char blur_sat_lookup[];
+
 // The shader files of a picture that looks the result up: those that define
 // vec2 moments_at(Receiver), then `visibility`, which uses it, then NULL. What
 // was not asked for is not among them. Up to BLUR_MAX_SHADERS with the NULL.

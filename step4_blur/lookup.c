@@ -4,6 +4,8 @@
 #include "step1_shadowmap/base/dump.h"       // dump_layers
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw_footprint
 
+const char blur_sat_lookup[] = "step4_blur/shaders/lookup_sat.glsl";
+
 static const char *const bilinear[] = {
     "step3_moments/shaders/lookup_bilinear.glsl", NULL};
 static const char *const trilinear[] = {
@@ -13,7 +15,7 @@ static const char *const anisotropic[] = {
     scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_anisotropic.glsl", NULL};
 static const char *const box[] = {"step4_blur/shaders/sat_box.glsl",
-                                  "step4_blur/shaders/lookup_sat.glsl", NULL};
+                                  blur_sat_lookup, NULL};
 
 static const char *const *lookup(const BlurSettings *settings)
 {

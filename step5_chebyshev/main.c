@@ -12,6 +12,7 @@
 #include "step4_blur/blur.h"                 // blur_apply
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_apply
 #include "step5_chebyshev/deferred.h"        // deferred_draw
+#include "step5_chebyshev/sat_width.h"       // sat_width_shaders
 
 static struct {
     BaseSettings base;
@@ -19,7 +20,8 @@ static struct {
     BlurSettings blur;
     ChebyshevSettings chebyshev;
     DeferredSettings deferring;
-    OptionTable options[6];
+    SatWidthSettings sat_width;
+    OptionTable options[7];
     Context context;
     Scene scene;
     Views views;
@@ -46,17 +48,22 @@ static void read_settings(int argc, char **argv)
         (OptionTable){chebyshev_options, &state.chebyshev, {false}};
     state.options[4] =
         (OptionTable){deferred_options, &state.deferring, {false}};
+    state.sat_width = sat_width_settings();
+    state.options[5] =
+        (OptionTable){sat_width_options, &state.sat_width, {false}};
     options_parse(argc, argv, state.options);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
+    sat_width_check(&state.blur, state.options);
     base_settings_check(&state.base);
 }
 
 static void create(void)
 {
-    const char *visibility[BLUR_MAX_SHADERS + 1] = {
+    const char *visibility[SAT_WIDTH_MAX_SHADERS] = {
         chebyshev_reduction_shader(&state.chebyshev)};
     blur_picture_shaders(&state.blur, "step5_chebyshev/shaders/chebyshev.glsl",
                          &visibility[1]);
+    sat_width_shaders(&state.sat_width, visibility);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));

@@ -224,6 +224,18 @@ my %mutants = (
         'texelFetch(stored_right, ivec2(gl_FragCoord.xy), 0).xyz',
         'dFdx(relative_position)'
     ],
+    'a box that shrinks when the camera is near' => [
+        'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
+        'inversesqrt(', 'sqrt('
+    ],
+    'a box of the pixel\'s area' => [
+        'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
+        'inversesqrt(max(texels, 1e-12))', '1.0 / max(texels, 1e-12)'
+    ],
+    'a box without a limit' => [
+        'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
+        '1.0, box_width)', '0.01, 64.0)'
+    ],
     'levels made with a box' => [
         'prefilters', 'step4_blur/shaders/mips.frag',
         'vec4(1.0, 3.0, 3.0, 1.0) / 8.0',

@@ -109,6 +109,7 @@ static Settings settings_of(const json &options, int step)
         settings.bleed_reduction = options.at("bleed-reduction").get<double>();
         settings.variance_bias = options.at("variance-bias").get<double>();
         settings.smooth = options.at("reduction") == "smooth";
+        settings.adaptive_box = options.at("sat-width") == "adaptive";
     }
     return settings;
 }

@@ -57,6 +57,7 @@ struct Settings {
     bool mips = false;  // a chain over the filtered map
     int anisotropy = 1; // most taps per pixel
     bool sat = false;   // the box comes from a table of sums
+    bool adaptive_box = false; // which differs in width from pixel to pixel
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance
     double bleed_reduction = 0;

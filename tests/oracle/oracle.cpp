@@ -54,7 +54,7 @@ static void run_stages(const Run &run, Report &report)
         if (run.settings.mips)
             check_mips(run, int(layer), report);
     }
-    if (run.settings.mips)
+    if (run.settings.mips || run.settings.adaptive_box)
         check_footprint(run, report);
     check_visibility(run, report);
 }

@@ -1,6 +1,7 @@
 #include <algorithm> // max
 #include <cmath>     // abs, floor
 
+#include "tests/oracle/box_lookup.h"
 #include "tests/oracle/chebyshev_bound.h"
 #include "tests/oracle/footprint.h"
 #include "tests/oracle/light.h"
@@ -131,6 +132,7 @@ struct Pixel {
     int x, y;
     const std::vector<Picture> &maps; // by layer
     const MipLookup &mips;
+    const BoxLookup &boxes;
 };
 
 } // namespace
@@ -141,6 +143,8 @@ static Interval moment(const Run &run, const Receiver &r, const Pixel &pixel,
 {
     if (run.settings.mips)
         return pixel.mips.moment(r, pixel.x, pixel.y, channel);
+    if (run.settings.adaptive_box)
+        return pixel.boxes.moment(r, pixel.x, pixel.y, channel);
     Interval value = looked_up(pixel.maps[size_t(r.layer)], r, channel);
     // The dumped box and the one looked up each have the table's error.
     return widened(value, 2 * table_absolute(run.settings));
@@ -196,12 +200,14 @@ void check_visibility(const Run &run, Report &report)
     for (size_t layer = 0; layer < run.views.size(); layer++)
         maps.push_back(load_filtered(run, int(layer)));
     MipLookup mips(run);
+    BoxLookup boxes(run);
     size_t shown = 0, untested = 0, wrong = 0;
     double worst = 0, widest = 0;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            Interval truth = expected_anywhere(run, r, {x, y, maps, mips});
+            Interval truth =
+                expected_anywhere(run, r, {x, y, maps, mips, boxes});
             shown += r.shown ? 1 : 0;
             if (truth.width() > WIDEST) {
                 untested++;

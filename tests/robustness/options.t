@@ -185,6 +185,12 @@ my %OPTIONS = (
         allowed => qr/auto,compute,fragments/,
     },
     deferred       => { steps => [5], check => \&check_deferred },
+    'sat-width' => {
+        steps   => [5],
+        check   => \&check_sat_width,
+        bad     => [ 'wide', '7', '' ],
+        allowed => qr/fixed,adaptive/,
+    },
     'min-variance' => {
         steps   => [5],
         differ  => ['0.001'],
@@ -383,6 +389,18 @@ sub check_sat_by {
         '--sat-by compute without OpenGL 4.3' );
     ok( draw( $step, '--sat' ) eq $auto,
         "step $step: --sat without OpenGL 4.3" );
+    return;
+}
+
+sub check_sat_width {
+    my ($step) = @_;
+    my @words = qw(--radius 9 --sat --sat-width);
+    my ( $fixed, $adaptive ) = map { draw( $step, @words, $_ ) } qw(fixed adaptive);
+    ok( $fixed && $adaptive && $fixed ne $adaptive,
+        "step $step: --sat-width adaptive changes the picture" );
+    is_refused( $step, [qw(--sat-width adaptive)],
+        [qr/--sat-width.*add --sat or drop --sat-width/],
+        '--sat-width without --sat' );
     return;
 }
 
