@@ -35,13 +35,14 @@ static void read_settings(int argc, char **argv)
     state.options[2] = (OptionTable){pcf_options, &state.pcf, {false}};
     options_parse(argc, argv, state.options);
     base_settings_check(&state.base);
+    pcf_settings_check(&state.pcf);
 }
 
 static void create(void)
 {
-    const char *const visibility[] = {"step1_shadowmap/shaders/bias.glsl",
-                                      "step2_pcf/shaders/map_depth.glsl",
-                                      pcf_shader(&state.pcf), NULL};
+    const char *visibility[1 + PCF_MAX_FILES] = {
+        "step1_shadowmap/shaders/bias.glsl"};
+    pcf_shaders(&state.pcf, &visibility[1]);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));

@@ -15,6 +15,18 @@ my %mutants = (
         'middle + ivec2(x, y)',
         'middle + 0 * ivec2(x, y)'
     ],
+    'a disc that is not turned' => [
+        'step2', 'step2_pcf/shaders/poisson_disc.glsl',
+        'poisson_turns[4 * pixel.y + pixel.x]', 'poisson_turns[0]'
+    ],
+    'a disc of twice the radius' => [
+        'step2', 'step2_pcf/shaders/pcf_poisson.glsl',
+        '0.5 * float(kernel)', 'float(kernel)'
+    ],
+    'all taps of the disc at one place' => [
+        'step2', 'step2_pcf/shaders/pcf_poisson.glsl',
+        '+ radius * poisson_tap(i)', ''
+    ],
     'a comparison the wrong way round' => [
         'step1', 'step1_shadowmap/shaders/hard.glsl',
         '- bias <= occluder', '- bias >= occluder'
@@ -114,6 +126,10 @@ my %mutants = (
     'weights of 2 x 2 swapped' => [
         'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
         'return 1.0 - part;', 'return part;'
+    ],
+    'a rim that is not weighted' => [
+        'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'i == kernel ? part : 1.0', '1.0'
     ],
     'the wrong row of the kernel' => [
         'truths', 'step4_blur/shaders/blur.frag',

@@ -96,6 +96,7 @@ static Settings settings_of(const json &options, int step)
     if (step == 2) {
         settings.kernel = options.at("kernel").get<int>();
         settings.bilinear = options.at("bilinear").get<bool>();
+        settings.poisson = options.at("pattern") == "poisson";
     }
     if (step >= 3)
         settings.half = stores_halves(options);

@@ -50,6 +50,7 @@ struct Settings {
     double slope_bias = 0; // of half a kernel's depth change
     int kernel = 1;        // texels
     bool bilinear = false; // each tap of the kernel a mean of 2 x 2 texels
+    bool poisson = false;  // 32 taps in a disc in place of the n x n
     bool half = false;     // moments are stored as 16-bit floats
     Blur blur = Blur::NONE;
     int radius = 0;     // texels of the downsampled map

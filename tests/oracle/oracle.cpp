@@ -9,6 +9,7 @@
 
 #include "tests/oracle/arguments.h"
 #include "tests/oracle/compare.h"
+#include "tests/oracle/disc.h"
 #include "tests/oracle/dump.h"
 #include "tests/oracle/errors.h"
 #include "tests/oracle/files.h"
@@ -38,11 +39,24 @@ static const char *const USAGE =
     "           directional one at a distance of 1\n"
     "  truths   the truths themselves where they are known: scenes edge,\n"
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
+    "  disc     step 2 --pattern poisson against grid=DIR, a dump of the "
+    "grid\n"
     "  compare  A B [max=0] [share=1]: two picture files\n"
     "  serve    SECONDS: answers such words, one line each, separated by "
     "tabs\n";
 
 using Words = std::vector<std::string>;
+
+// The kernel of a disc, or of a width per pixel, is no product of one for each
+// axis, which these checks need.
+static Run load_separable(const std::string &folder)
+{
+    Run run = load_run(folder);
+    if (run.settings.poisson)
+        throw BadInput(folder + ": --pattern poisson: only stage and disc "
+                                "know its kernel");
+    return run;
+}
 
 static void run_stages(const Run &run, Report &report)
 {
@@ -97,7 +111,7 @@ static void run_errors(const std::string &folder, const Words &words)
     if (arguments.given("light-size") && !(options.light_size > 0))
         throw BadInput("light-size: more than 0");
     options.write_into = arguments.text("write", "");
-    print_errors(load_run(folder), options);
+    print_errors(load_separable(folder), options);
 }
 
 static void run_truths(const std::string &folder, const Words &words,
@@ -107,14 +121,17 @@ static void run_truths(const std::string &folder, const Words &words,
     double size = arguments.number("light-size", 0.2);
     if (!(size > 0))
         throw BadInput("light-size: more than 0");
-    check_truths(load_run(folder), arguments.number("rays", 256), size, report);
+    check_truths(load_separable(folder), arguments.number("rays", 256), size,
+                 report);
 }
 
 static void run_check(const std::string &check, const std::string &folder,
                       const Words &words, Report &report)
 {
-    bool bleed = check == "bleed";
-    Arguments arguments(words, bleed ? Words{"r"} : Words{});
+    bool bleed = check == "bleed", disc = check == "disc";
+    Arguments arguments(words, bleed  ? Words{"r"}
+                               : disc ? Words{"grid"}
+                                      : Words{});
     Run run = load_run(folder);
     if (check == "files") {
         check_files(run, report);
@@ -129,7 +146,10 @@ static void run_check(const std::string &check, const std::string &folder,
     } else if (check == "shading") {
         run_shading(run, report);
     } else if (check == "edge") {
-        check_edge(run, SceneTable(run.scene, run.light), report);
+        check_edge(load_separable(folder), SceneTable(run.scene, run.light),
+                   report);
+    } else if (disc) {
+        check_disc(run, load_run(arguments.text("grid", "")), report);
     } else if (bleed) {
         double r = arguments.number("r", -1);
         if (r <= 0)

@@ -6,6 +6,7 @@
 #include "tests/oracle/footprint.h"
 #include "tests/oracle/light.h"
 #include "tests/oracle/mip_levels.h"
+#include "tests/oracle/poisson_disc.h"
 #include "tests/oracle/rounding.h"
 #include "tests/oracle/stage.h"
 
@@ -87,6 +88,38 @@ static Interval soft_pcf(const Receiver &r, const MapView &view,
     return widened({least, most}, rounding_share(n * n + 8));
 }
 
+// The comparison with the texel at (x, y), each right to `error`: rounding can
+// move it across a texel's edge.
+static Interval tap_at(const Receiver &r, Interval bias, const Picture &map,
+                       glm::dvec2 place, glm::dvec2 error)
+{
+    glm::dvec2 low = glm::floor(place - error),
+               high = glm::floor(place + error);
+    Interval lit = compared(r.t, bias, texel(map, int(low.x), int(low.y), 0));
+    for (int y = int(low.y); y <= int(high.y); y++)
+        for (int x = int(low.x); x <= int(high.x); x++)
+            lit = hull(lit, compared(r.t, bias, texel(map, x, y, 0)));
+    return lit;
+}
+
+// Step 2 with --pattern poisson: a disc of diameter n. A turned tap is the sum
+// of two products of rounded numbers, at most sqrt(2) together: 6 roundings.
+// The radius times that, u * size and their sum are rounded once more each.
+// A count of 32 and a 32nd of it are exact.
+static Interval disc_pcf(const Receiver &r, const MapView &view,
+                         const Picture &map, int x, int y,
+                         const Settings &settings)
+{
+    int n = settings.kernel;
+    Interval bias = total_bias(r, view, map.width, map.height, n, settings);
+    glm::dvec2 centre(r.u * map.width, r.v * map.height);
+    glm::dvec2 error = UNIT_ROUNDOFF * (2.0 * glm::abs(centre) + 8 * n / 2.0);
+    Interval lit = 0;
+    for (const glm::dvec2 &tap : poisson_taps(x, y))
+        lit = lit + tap_at(r, bias, map, centre + n / 2.0 * tap, error);
+    return lit / double(POISSON_TAPS);
+}
+
 static double bilinear(const Picture &map, double x, double y, int channel)
 {
     double left = std::floor(x), low = std::floor(y);
@@ -158,6 +191,8 @@ static Interval expected(const Run &run, const Receiver &r, const MapView &view,
     const Picture &map = pixel.maps[size_t(r.layer)];
     if (settings.bilinear)
         return soft_pcf(r, view, map, settings);
+    if (settings.poisson)
+        return disc_pcf(r, view, map, pixel.x, pixel.y, settings);
     if (run.step <= 2)
         return pcf(r, view, map, settings);
     Interval m1 = moment(run, r, pixel, 0);

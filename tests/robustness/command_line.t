@@ -33,6 +33,8 @@ my @WRONG = (
     [ 4, [qw(--downsample 2 --radius 128)], qr/--radius/, 'too wide a blur' ],
     [ 4, [qw(--map-size 64x66 --downsample 4)],
         qr/--downsample/, 'a factor that divides one side only' ],
+    [ 2, [qw(--pattern poisson --bilinear)],
+        qr/--bilinear.*--pattern poisson.*drop one/, 'a disc with a rim' ],
     [ 4, [qw(--blur none --radius 3)],
         qr/--radius.*--blur none/, 'a radius without a blur' ],
     [ 5, [qw(--radius 4 --blur binomial)],

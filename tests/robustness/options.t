@@ -131,6 +131,13 @@ my %OPTIONS = (
         allowed => qr/odd numbers from 1 to 255/,
     },
     bilinear => { steps => [2], check => \&check_bilinear },
+    pattern  => {
+        steps   => [2],
+        differ  => ['poisson'],
+        same    => ['grid'],
+        bad     => [ 'disc', '' ],
+        allowed => qr/grid,\s?poisson/,
+    },
     format   => {
         steps   => [ 3 .. 5 ],
         same    => ['rg32f'],

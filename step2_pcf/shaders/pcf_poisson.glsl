@@ -1,0 +1,16 @@
+// --pattern poisson: the same few taps whatever the width, spread over a disc
+// as wide as the kernel.
+
+float visibility(Receiver receiver)
+{
+    vec2 size = vec2(textureSize(shadow_map, 0).xy);
+    float bias = comparison_bias(receiver, kernel, size);
+    float radius = 0.5 * float(kernel);
+    float lit = 0.0;
+    for (int i = 0; i < POISSON_TAPS; i++) {
+        vec2 place = receiver.uv * size + radius * poisson_tap(i);
+        float occluder = occluder_depth(ivec2(floor(place)), receiver.layer);
+        lit += receiver.depth - bias <= occluder ? 1.0 : 0.0;
+    }
+    return lit / float(POISSON_TAPS);
+}
