@@ -1,12 +1,15 @@
 #include "tests/oracle/errors.h"
 
-#include <algorithm> // nth_element, max
+#include <algorithm> // nth_element, max, min
 #include <cmath>     // isfinite, sqrt
 #include <cstdio>    // printf
 #include <filesystem>
+#include <set>
 
+#include "tests/oracle/axis_kernel.h"
 #include "tests/oracle/parallel.h"
 #include "tests/oracle/report.h" // BadInput
+#include "tests/oracle/seam.h"
 #include "tests/oracle/truth.h"
 
 namespace
@@ -53,12 +56,16 @@ static void compare_pixel(const Pixel &pixel, const Truth &truth,
     comparison.kinds[index] = kind;
 }
 
-static void print(const std::string &name, const Comparison &comparison)
+// Of the pixels for which `of` holds.
+static void print(const std::string &name, const Comparison &comparison,
+                  const std::function<bool(size_t)> &of)
 {
     std::vector<double> errors;
     size_t apart = 0, non_finite = 0, over = 0;
     double squares = 0, largest = 0;
     for (size_t i = 0; i < comparison.kinds.size(); i++) {
+        if (!of(i))
+            continue;
         apart += comparison.kinds[i] == Kind::APART ? 1 : 0;
         non_finite += comparison.kinds[i] == Kind::NON_FINITE ? 1 : 0;
         if (comparison.kinds[i] != Kind::COUNTED)
@@ -107,6 +114,36 @@ static std::vector<Truth> truths_of(const TruthScene &scene,
     return truths;
 }
 
+// Of every pixel, which edge of the cube its filter reaches over: the two faces
+// as digits; empty: none.
+static std::vector<std::string> seams_of(const TruthScene &scene)
+{
+    const Run &run = scene.run;
+    double reach = AxisKernel(run.step, run.settings).half_width();
+    std::vector<std::string> seams;
+    for (int y = 0; y < run.height; y++)
+        for (int x = 0; x < run.width; x++) {
+            Receiver r = scene.receivers.at(x, y);
+            seams.emplace_back();
+            if (!r.shown)
+                continue;
+            Seam seam = nearest_seam(r, scene.view(r));
+            if (seam.texels < reach)
+                seams.back() = std::to_string(std::min(r.layer, seam.face)) +
+                               std::to_string(std::max(r.layer, seam.face));
+        }
+    return seams;
+}
+
+static void print_seams(const std::string &truth, const Comparison &comparison,
+                        const std::vector<std::string> &seams)
+{
+    std::set<std::string> names(seams.begin(), seams.end());
+    for (const std::string &name : names)
+        print(truth + (name.empty() ? ".rest" : ".seam" + name), comparison,
+              [&](size_t i) { return seams[i] == name; });
+}
+
 void print_errors(const Run &run, const ErrorOptions &options)
 {
     TruthScene scene(run);
@@ -121,8 +158,13 @@ void print_errors(const Run &run, const ErrorOptions &options)
         }
     });
     std::printf("truth,pixels,apart,nonfinite,rmse,p99,max,share\n");
+    std::vector<std::string> seams;
+    if (options.seams)
+        seams = seams_of(scene);
     for (size_t i = 0; i < truths.size(); i++) {
-        print(truths[i].name, comparisons[i]);
+        print(truths[i].name, comparisons[i], [](size_t) { return true; });
+        if (options.seams)
+            print_seams(truths[i].name, comparisons[i], seams);
         if (!options.write_into.empty())
             write(options.write_into, truths[i].name, comparisons[i]);
     }

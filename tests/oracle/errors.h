@@ -10,6 +10,9 @@ struct ErrorOptions {
     double rays = 256;      // of each average
     double light_size = 0;  // diameter, see area_truth; 0: none
     std::string write_into; // a folder, or empty
+    // Of a point light: also rows NAME.seamAB, the pixels whose filter reaches
+    // over the edge between faces A and B of the cube, and NAME.rest.
+    bool seams = false;
 };
 
 // Prints CSV: truth,pixels,apart,nonfinite,rmse,p99,max,share. Counted are the
