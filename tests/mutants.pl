@@ -313,6 +313,26 @@ my %mutants = (
         'clamp(nearness, 0.0, 1.0) * float(steps) + 0.5',
         'floor(clamp(nearness, 0.0, 1.0) * 65536.0) * float(steps / 65536u)'
     ],
+    'the border cut off before the blur' => [
+        'seams',
+        'step4_blur/shaders/map_texel.glsl',
+        'greaterThanEqual(texel, ivec2(0))',
+        'greaterThanEqual(texel, size / 16)'
+    ],
+    'a limit on the slope that grazing light passes' => [
+        'scenes', 'step1_shadowmap/shaders/bias.glsl',
+        '0.02 * length(ray)', '0.1 * length(ray)'
+    ],
+    'facing away is not dark' => [
+        'scenes',          'step1_shadowmap/shaders/scene.frag',
+        'facing > 0.0 &&', 'facing > -2.0 &&'
+    ],
+    'a face that takes more than its share' => [
+        'seams',
+        'step1_shadowmap/shaders/layer_face.glsl',
+        'size.x >= max(size.y, size.z)',
+        '1.2 * size.x >= max(size.y, size.z)'
+    ],
 );
 
 sub read_file {

@@ -30,7 +30,7 @@ vec3 depth_gradient(Receiver receiver)
 // |dt/du| and |dt/dv| on the receiver's plane. A step in that plane that keeps
 // v is across the normal and across v's gradient; what t and u gain by it are
 // in the ratio dt/du. `ray` points along the light's ray, where u and v do not
-// change. That ray meets the plane at an angle whose sine is held at 0.1, else
+// change. That ray meets the plane at an angle whose sine is held at 0.02, else
 // the ratio has no limit.
 vec2 depth_slope(Receiver receiver)
 {
@@ -38,7 +38,7 @@ vec2 depth_slope(Receiver receiver)
     vec3 v = map_gradient(receiver, 1);
     vec3 t = depth_gradient(receiver);
     vec3 ray = cross(u, v);
-    float facing = max(abs(dot(receiver.normal, ray)), 0.1 * length(ray));
+    float facing = max(abs(dot(receiver.normal, ray)), 0.02 * length(ray));
     return abs(vec2(dot(t, cross(v, receiver.normal)),
                     dot(t, cross(u, receiver.normal)))) / facing;
 }

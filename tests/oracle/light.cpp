@@ -94,13 +94,13 @@ bool inside_map(const Receiver &r)
 
 // |dt/du| of the receiver's plane. A plane N.p = c in map space has the
 // gradient (N.U/|U|^2, N.V/|V|^2, N.T/|T|^2), so dt/du = -first/third. The
-// third is kept at 0.1/|T|, that is N.L at 0.1, so the slope stays finite.
+// third is kept at 0.02/|T|, that is N.L at 0.02, so the slope stays finite.
 static Interval slope(const glm::dvec3 &normal, const glm::dvec3 &axis,
                       const glm::dvec3 &t)
 {
     Interval along = rounded_dot(normal, axis) / glm::dot(axis, axis);
     Interval depth = rounded_dot(normal, t) / glm::dot(t, t);
-    double least = 0.1 / glm::length(t);
+    double least = 0.02 / glm::length(t);
     return magnitude(along) / maximum(magnitude(depth), least);
 }
 
@@ -155,7 +155,7 @@ static Rounded gradient(const glm::dvec4 &row, double u, const MapView &view,
 // |dt/du| and |dt/dv| of the receiver's plane under a perspective. On the plane
 // u and v are coordinates, so dt = (dt/du) du + (dt/dv) dv for every step in
 // it; the step along grad v x N has dv = 0, so dt/du is the ratio of what t and
-// u gain on it. N.(grad u x grad v) is held at a tenth of its largest value.
+// u gain on it. N.(grad u x grad v) is held at a fiftieth of its largest value.
 static void local_slopes(const Receiver &r, const MapView &view,
                          Interval &per_u, Interval &per_v)
 {
@@ -168,8 +168,9 @@ static void local_slopes(const Receiver &r, const MapView &view,
     Rounded u = gradient(view.rows[0], r.u, view, r.position);
     Rounded v = gradient(view.rows[1], r.v, view, r.position);
     Rounded n = {r.normal, 0}, ray = cross(u, v);
-    double least = 0.1 * glm::length(ray.value);
-    Interval hold = widened(least, 0.1 * ray.error + rounding_share(6) * least);
+    double least = 0.02 * glm::length(ray.value);
+    Interval hold =
+        widened(least, 0.02 * ray.error + rounding_share(6) * least);
     Interval facing = maximum(magnitude(dot(n, ray)), 0);
     facing = {std::max(facing.lo, hold.lo), std::max(facing.hi, hold.hi)};
     per_u = magnitude(dot(t, cross(v, n))) / facing;
