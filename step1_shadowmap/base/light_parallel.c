@@ -5,12 +5,6 @@
 #include "step1_shadowmap/base/light_view.h" // fit_directional
 #include "step1_shadowmap/base/region.h"     // region_include_scene
 
-// The light's axes and what they span.
-typedef struct LightFrame {
-    double axes[3][3]; // right, up, direction: unit, in world axes
-    double low[3], high[3];
-} LightFrame;
-
 static void include_point(LightFrame *frame, const double point[3])
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -19,10 +13,15 @@ static void include_point(LightFrame *frame, const double point[3])
     }
 }
 
-// The bounds of everything that casts, or of everything if nothing does.
-static void bound_casters(LightFrame *frame, const Scene *scene,
-                          const double origin[3])
+void bound_casters(LightFrame *frame, const Scene *scene,
+                   const double origin[3])
 {
+    const double up[3] = {0, 1, 0};
+    *frame = (LightFrame){.low = {INFINITY, INFINITY, INFINITY},
+                          .high = {-INFINITY, -INFINITY, -INFINITY}};
+    double(*axes)[3] = frame->axes;
+    dvec_copy(scene->light.direction, axes[2]);
+    dvec_frame(axes[2], up, axes[0], axes[1]);
     bool any = false;
     for (int i = 0; i < scene->object_count; i++) {
         any = any || scene->objects[i].casts;
@@ -33,7 +32,7 @@ static void bound_casters(LightFrame *frame, const Scene *scene,
             double relative[3];
             double point[3];
             vertex_relative(object, origin, k, relative);
-            frame_coordinates(frame->axes, relative, point);
+            frame_coordinates(axes, relative, point);
             if (object->casts || !any) {
                 include_point(frame, point);
             }
@@ -81,14 +80,10 @@ static void widen_to_map(LightFrame *frame, const Views *views)
 
 void fit_directional(Views *views, const Scene *scene)
 {
-    const double up[3] = {0, 1, 0};
     const Light *light = &scene->light;
     LightView *view = &views->light[0];
     views->layers = 1;
-    LightFrame frame = {.low = {INFINITY, INFINITY, INFINITY},
-                        .high = {-INFINITY, -INFINITY, -INFINITY}};
-    dvec_copy(light->direction, frame.axes[2]);
-    dvec_frame(light->direction, up, frame.axes[0], frame.axes[1]);
+    LightFrame frame;
     bound_casters(&frame, scene, views->origin);
     widen_to_map(&frame, views);
 

@@ -1,7 +1,7 @@
 #include <math.h> // fmax, fmin, pow, round, sqrt, tan
 
-#include "step1_shadowmap/base/dvec.h"       // dvec_copy, dvec_dot, dvec_frame
-#include "step1_shadowmap/base/light_view.h" // fit_splits
+#include "step1_shadowmap/base/dvec.h"       // dvec_dot, dvec_normalize
+#include "step1_shadowmap/base/light_view.h" // bound_casters
 
 // The first split begins this part of the way to where shadows end: the
 // logarithmic positions want a beginning that is not 0.
@@ -48,29 +48,50 @@ static Ball slice_ball(const Camera *camera, double spread, double begin,
     return ball;
 }
 
+// Where the view's middle is along an axis of the light, and how much of it has
+// to be held: the ball, or all that casts if that is less, since around it
+// everything is lit. Neither changes when the camera moves or turns.
+typedef struct Span {
+    double middle; // from the world's origin
+    double extent;
+} Span;
+
+static Span held_span(const Views *views, const LightFrame *casters,
+                      const Ball *ball, int row)
+{
+    const double *axis = casters->axes[row];
+    Span all = {dvec_dot(axis, views->origin) +
+                    0.5 * (casters->low[row] + casters->high[row]),
+                casters->high[row] - casters->low[row]};
+    Span seen = {dvec_dot(axis, ball->centre), 2 * ball->radius};
+    return row < 2 && all.extent < seen.extent ? all : seen;
+}
+
 // A view that holds the ball, and no more depth than that: what casts into it
 // from before its near plane is drawn at depth 0 (see shadow_map_draw), and the
 // margins keep receivers, and what a filter reads around them, off both ends.
 // Its middle is a whole number of texels from the world's origin, along all
 // three axes: when the camera moves, the texels stay where they are in the
 // world, and shadows do not crawl.
-static void fit_ball(Views *views, const Light *light, const Ball *ball,
+static void fit_ball(Views *views, const Light *light,
+                     const LightFrame *casters, const Ball *ball,
                      LightView *view)
 {
-    const double up[3] = {0, 1, 0};
+    const double(*axes)[3] = casters->axes;
     const int size[2] = {views->width, views->height};
-    double axes[3][3];
-    dvec_copy(light->direction, axes[2]);
-    dvec_frame(axes[2], up, axes[0], axes[1]);
-    int side = size[0] < size[1] ? size[0] : size[1];
-    // Two texels less than fit: snapping moves the ball by half a one.
-    double texel = 2 * ball->radius / fmax(side - 2 * views->border - 2, 0.5);
+    double texel = 0;
+    for (int row = 0; row < 2; row++) {
+        // Two texels less than fit: snapping moves the view by half a one.
+        double inner = fmax(size[row] - 2 * views->border - 2, 0.5);
+        double extent = held_span(views, casters, ball, row).extent;
+        texel = fmax(texel, extent / inner);
+    }
     double extent[3] = {size[0] * texel, size[1] * texel,
                         2 * ball->radius + 2 * texel};
     const double margin[3] = {0, 0, ball->radius / 8};
     double low[3];
     for (int row = 0; row < 3; row++) {
-        double middle = dvec_dot(axes[row], ball->centre);
+        double middle = held_span(views, casters, ball, row).middle;
         middle = texel * round(middle / texel);
         low[row] = middle - 0.5 * extent[row] - margin[row];
         extent[row] += 2 * margin[row];
@@ -96,12 +117,14 @@ void fit_splits(Views *views, const Scene *scene, double aspect, int count)
     double tall = tan(0.5 * camera->fov_y);
     double spread = tall * tall * (1 + aspect * aspect);
     double begin = 0;
+    LightFrame casters;
+    bound_casters(&casters, scene, views->origin);
     views->layers = count;
     for (int i = 0; i < count; i++) {
         LightView *view = &views->light[i];
         double end = split_end(i, count, camera->reach);
         Ball ball = slice_ball(camera, spread, begin, end);
-        fit_ball(views, light, &ball, view);
+        fit_ball(views, light, &casters, &ball, view);
         view->end = end;
         begin = end - HANDOVER * (end - begin); // of the next one
         view->handover = begin;

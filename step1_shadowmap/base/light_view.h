@@ -4,6 +4,16 @@
 
 #include "step1_shadowmap/base/view.h" // Views
 
+// A parallel light's axes and the bounds of everything that casts along them,
+// or of everything if nothing does; relative to the origin.
+typedef struct LightFrame {
+    double axes[3][3]; // right, up, direction: unit, in world axes
+    double low[3], high[3];
+} LightFrame;
+
+void bound_casters(LightFrame *frame, const Scene *scene,
+                   const double origin[3]);
+
 // Each sets the layers, their matrices and depths, and the light's position;
 // origin, map size and border have been set.
 void fit_directional(Views *views, const Scene *scene);

@@ -80,12 +80,14 @@ for my $key ( qw(walk=0.013 walk=0.5 turn=0.1 turn=-7), 'walk=3,turn=20' ) {
         $moved++ if grep { abs > 0.5 } @by;
     }
 }
-ok( $moved > 10, "$moved of 20 views have moved" );
+# The far ones hold all that casts, which does not move.
+ok( $moved >= 5, "$moved of 20 views have moved" );
 
-# The nearer to the camera, the finer.
-ok( $still[$_]{texel} > $still[ $_ - 1 ]{texel},
-    "split $_ has larger texels than the one before" )
-  for 1 .. 3;
+# The nearer to the camera, the finer; none holds more than what casts.
+ok( $still[1]{texel} > $still[0]{texel}, 'the second split is coarser' );
+ok( $still[$_]{texel} >= $still[ $_ - 1 ]{texel},
+    "split $_ has no smaller texels than the one before" )
+  for 2, 3;
 
 my ( $plain, $layers ) = map { dump_run( 5, @avenue, '--show', $_ ) }
   qw(visibility layer);

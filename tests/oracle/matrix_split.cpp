@@ -1,5 +1,5 @@
 #include <algorithm> // max, min
-#include <cmath>     // abs, pow, round
+#include <cmath>     // abs, INFINITY, pow, round
 
 #include "tests/oracle/matrix.h"
 #include "tests/oracle/projection.h"
@@ -30,16 +30,42 @@ static void check_distances(const Run &run, const SceneTable &table,
                 view.handover, off);
 }
 
-// The eight corners of what the camera sees between two depths lie inside the
-// border, and in the range of depths. The corners' ball is what makes the view
-// as large however the camera turns, so it is tight for that, not for them.
+// Texels to the border, along u and v, of what lies nearest to it.
+static glm::dvec2 to_border(const MapView &view, const glm::dvec3 &point)
+{
+    glm::dvec2 map(map_point(view, point));
+    return glm::min(map, 1.0 - map) * glm::dvec2(view.width, view.height) -
+           view.border;
+}
+
+// The same of everything that casts, or of everything if nothing does.
+static glm::dvec2 casters_to_border(const Run &run, const Scene &scene,
+                                    const MapView &view)
+{
+    bool any = false;
+    for (int i = 0; i < scene.object_count; i++)
+        any = any || scene.objects[i].casts;
+    glm::dvec2 least(INFINITY);
+    for (int i = 0; i < scene.object_count; i++)
+        if (scene.objects[i].casts || !any)
+            for (const glm::dvec3 &p :
+                 object_points(scene.objects[i], run.origin))
+                least = glm::min(least, to_border(view, p));
+    return least;
+}
+
+// Along u, and along v, the map holds inside its border either the eight
+// corners of what the camera sees between two depths or all that casts: around
+// that there is only light. The corners lie in the range of depths. The
+// corners' ball is what makes the view as large however the camera turns, so it
+// is tight for that, not for them.
 static void check_slice(const Run &run, const SceneTable &table, size_t layer,
                         Report &report)
 {
     const MapView &view = run.views[layer];
     PictureCamera camera(table.scene.camera, run.width, run.height);
     double begin = layer > 0 ? run.views[layer - 1].handover : 0;
-    double least = INFINITY;
+    glm::dvec2 seen(INFINITY);
     bool deep = true;
     std::vector<glm::dvec3> corners;
     for (double depth : {begin, view.end})
@@ -47,13 +73,14 @@ static void check_slice(const Run &run, const SceneTable &table, size_t layer,
             for (double y : {0.0, double(run.height)}) {
                 corners.push_back(depth * camera.ray(x, y));
                 glm::dvec3 map = map_point(view, corners.back());
-                double u = std::min(map.x, 1 - map.x) * view.width;
-                double v = std::min(map.y, 1 - map.y) * view.height;
-                least = std::min({least, u - view.border, v - view.border});
+                seen = glm::min(seen, to_border(view, corners.back()));
                 deep = deep && map.z >= 0 && map.z <= 1;
             }
+    glm::dvec2 either =
+        glm::max(seen, casters_to_border(run, table.scene, view));
+    double least = std::min(either.x, either.y);
     report.line(least >= 0 && deep, "the split holds what is seen in it",
-                "least distance to the border %.3g texels, depths %s", least,
+                "%.3g texels or more from the border, depths %s", least,
                 deep ? "inside" : "outside");
     double widest = 0;
     for (const glm::dvec3 &a : corners)
