@@ -14,7 +14,7 @@ include $(PROGRAMS:%=%/Makefile)
 include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
-.PHONY: all programs set-up set-up-tests test mutants sanitize report \
+.PHONY: all programs set-up set-up-tests test fuzz mutants sanitize report \
     standalone window diff figures lint format clean help
 
 # What each Debian package is recognised by.

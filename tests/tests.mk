@@ -29,13 +29,26 @@ $(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED)
 	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
 -include $(ORACLE_OBJECTS:.o=.d)
 
+# The formulas on their own, in C: roundings are counted here too.
+STABILITY_SOURCES := $(wildcard tests/stability/*.c)
+STABILITY_OBJECTS := $(STABILITY_SOURCES:%=$(BUILD)/obj/%.o)
+$(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c
+	@mkdir -p $(@D)
+	@echo compile $<
+	@$(CC) -std=c11 -MMD -MP $(WARNINGS) -I. $(CFLAGS) -ffp-contract=off \
+	    -c -o $@ $<
+$(BUILD)/fuzz: $(STABILITY_OBJECTS)
+	@echo link $@
+	@$(CC) $(LDFLAGS) -o $@ $^ -lm
+-include $(STABILITY_OBJECTS:.o=.d)
+
 ifeq ($(origin STEP),command line)
 TESTS = tests/images/step$(STEP).t
 else
-TESTS = -r tests/images tests/robustness
+TESTS = -r tests/images tests/robustness tests/stability
 endif
 
-test: set-up-tests programs $(BUILD)/oracle ## set up, build, test (STEP=n: one step only)
+test: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (STEP=n: one step only)
 	@VSM_BUILD=$(BUILD) perl tests/run.pl $(TESTS)
 
 # Everything once more, with the programs watching their own memory. The two
@@ -52,6 +65,14 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, as a ta
 
 mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
+
+fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stability/fuzz.svg
+	@mkdir -p out/stability
+	@$(BUILD)/fuzz --count 40000 --csv >out/stability/fuzz.csv
+	@for kind in svg png; do gnuplot -e "kind='$$kind'" \
+	    -e "input='out/stability/fuzz.csv'" \
+	    -e "output='out/stability/fuzz.$$kind'" \
+	    tests/stability/fuzz.gp || exit 1; done
 
 FIGURE_RECOGNISED := gnuplot-nox:command:gnuplot
 figures: set-up-tests programs $(BUILD)/oracle ## make every committed picture again
