@@ -95,6 +95,9 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
         blur.mips =
             mips_create(files, last->texture, format, size, blur.layers);
         blur.bytes += blur.mips.bytes;
+        if (blur_uses_hardware(settings)) {
+            mips_use_sampler(last->texture, settings->anisotropy);
+        }
     }
     if (settings->sat) {
         blur.sat = sat_create(files, size, blur.layers,

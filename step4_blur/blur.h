@@ -8,13 +8,14 @@
 #include "step4_blur/sat.h"               // Sat
 
 typedef struct BlurSettings {
-    const char *kernel; // none, box, gaussian or binomial
-    int radius;         // texels of the downsampled map
-    int downsample;     // factor along each axis
-    bool mips;          // a mip-map chain of the result
-    int anisotropy;     // most lookups for one pixel; with mips
-    bool sat;           // the box from a summed-area table
-    const char *sat_by; // what sums it: auto, compute or fragments
+    const char *kernel;  // none, box, gaussian or binomial
+    int radius;          // texels of the downsampled map
+    int downsample;      // factor along each axis
+    bool mips;           // a mip-map chain of the result
+    int anisotropy;      // most lookups for one pixel; with mips
+    const char *sampler; // of the levels: explicit or hardware
+    bool sat;            // the box from a summed-area table
+    const char *sat_by;  // what sums it: auto, compute or fragments
 } BlurSettings;
 
 extern const Option blur_options[];
@@ -29,6 +30,9 @@ void blur_weights(const char *name, int radius, float weights[]);
 
 // The radius of the kernel, 0 where there is none.
 int blur_used_radius(const BlurSettings *settings);
+
+// Whether the texture unit chooses and blends the levels.
+bool blur_uses_hardware(const BlurSettings *settings);
 
 // Refuses (status 2) options that contradict each other, a radius that
 // contradicts the kernel or is wider than the map, and a factor that does not

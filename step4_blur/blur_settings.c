@@ -40,6 +40,12 @@ const Option blur_options[] = {
      .argument = "N",
      .help = "with --mips: up to N lookups along the pixel's longer axis in "
              "the map"},
+    {.name = "sampler",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BlurSettings, sampler),
+     .choices = "explicit,hardware",
+     .help = "with --mips: who chooses and blends the levels, the shader or "
+             "the texture unit"},
     {.name = "sat",
      .kind = OPTION_FLAG,
      .offset = offsetof(BlurSettings, sat),
@@ -59,7 +65,13 @@ BlurSettings blur_settings(void)
                           .radius = 3,
                           .downsample = 1,
                           .anisotropy = 1,
+                          .sampler = "explicit",
                           .sat_by = "auto"};
+}
+
+bool blur_uses_hardware(const BlurSettings *settings)
+{
+    return strcmp(settings->sampler, "hardware") == 0;
 }
 
 int blur_used_radius(const BlurSettings *settings)
@@ -75,6 +87,10 @@ static void check_lookup(const BlurSettings *settings, const int map_size[2],
         die_usage("--anisotropy %d needs --mips: add --mips or drop "
                   "--anisotropy",
                   settings->anisotropy);
+    }
+    if (options_given(tables, "sampler") && !settings->mips) {
+        die_usage("--sampler %s needs --mips: add --mips or drop --sampler",
+                  settings->sampler);
     }
     if (options_given(tables, "sat-by") && !settings->sat) {
         die_usage("--sat-by %s needs --sat: add --sat or drop --sat-by",

@@ -14,11 +14,16 @@ static const char *const trilinear[] = {
 static const char *const anisotropic[] = {
     scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_anisotropic.glsl", NULL};
+static const char *const hardware[] = {
+    scene_draw_footprint, "step4_blur/shaders/lookup_hardware.glsl", NULL};
 static const char *const box[] = {"step4_blur/shaders/sat_box.glsl",
                                   blur_sat_lookup, NULL};
 
 static const char *const *lookup(const BlurSettings *settings)
 {
+    if (blur_uses_hardware(settings)) {
+        return hardware;
+    }
     if (settings->mips) {
         return settings->anisotropy > 1 ? anisotropic : trilinear;
     }

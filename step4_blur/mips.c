@@ -3,6 +3,7 @@
 #include <stdio.h>  // snprintf
 #include <stdlib.h> // free
 
+#include "step1_shadowmap/base/die.h"  // die_usage
 #include "step1_shadowmap/base/dump.h" // dump_image
 
 static void add_levels(Mips *mips, GLenum format)
@@ -52,6 +53,26 @@ Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
         }
     }
     return mips;
+}
+
+void mips_use_sampler(GLuint texture, int anisotropy)
+{
+    GLfloat most = 1;
+    if (GLAD_GL_EXT_texture_filter_anisotropic) {
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    }
+    if ((GLfloat)anisotropy > most) {
+        die_usage("--sampler hardware takes --anisotropy 1 to %g with this "
+                  "driver, not %d: drop one of them",
+                  (double)most, anisotropy);
+    }
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
+                    GL_LINEAR_MIPMAP_LINEAR);
+    if (anisotropy > 1) {
+        glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                        (GLfloat)anisotropy);
+    }
 }
 
 void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao)

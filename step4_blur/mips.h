@@ -23,6 +23,11 @@ typedef struct Mips {
 Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
                  const int size[2], int layers);
 
+// From here on the texture unit blends two levels by itself, with up to
+// `anisotropy` taps along a pixel's longer axis. Refuses (status 2) what the
+// driver cannot do.
+void mips_use_sampler(GLuint texture, int anisotropy);
+
 // Fills levels 1 and on, each from the one before.
 void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao);
 

@@ -252,6 +252,14 @@ my %mutants = (
         'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
         '1.0, box_width)', '0.01, 64.0)'
     ],
+    'no derivatives for the sampler' => [
+        'prefilters', 'step4_blur/shaders/lookup_hardware.glsl',
+        'steps.xy, steps.zw', '0.0 * steps.xy, 0.0 * steps.zw'
+    ],
+    'derivatives in texels for the sampler' => [
+        'prefilters', 'step4_blur/shaders/lookup_hardware.glsl',
+        'steps.xy, steps.zw', '9.0 * steps.xy, 9.0 * steps.zw'
+    ],
     'levels made with a box' => [
         'prefilters', 'step4_blur/shaders/mips.frag',
         'vec4(1.0, 3.0, 3.0, 1.0) / 8.0',

@@ -71,6 +71,7 @@ static void read_blur(const json &options, Settings &settings)
     settings.blur = blur_of(options.at("blur").get<std::string>());
     settings.mips = options.at("mips").get<bool>();
     settings.anisotropy = options.at("anisotropy").get<int>();
+    settings.hardware = options.at("sampler") == "hardware";
     settings.sat = options.at("sat").get<bool>();
     if (settings.blur == Blur::NONE)
         settings.radius = 0;

@@ -53,11 +53,12 @@ struct Settings {
     bool poisson = false;  // 32 taps in a disc in place of the n x n
     bool half = false;     // moments are stored as 16-bit floats
     Blur blur = Blur::NONE;
-    int radius = 0;     // texels of the downsampled map
-    int downsample = 1; // map texels per downsampled texel, along an axis
-    bool mips = false;  // a chain over the filtered map
-    int anisotropy = 1; // most taps per pixel
-    bool sat = false;   // the box comes from a table of sums
+    int radius = 0;        // texels of the downsampled map
+    int downsample = 1;    // map texels per downsampled texel, along an axis
+    bool mips = false;     // a chain over the filtered map
+    int anisotropy = 1;    // most taps per pixel
+    bool hardware = false; // the texture unit chooses levels and taps
+    bool sat = false;      // the box comes from a table of sums
     bool adaptive_box = false; // which differs in width from pixel to pixel
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance

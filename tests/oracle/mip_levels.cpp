@@ -30,7 +30,8 @@ std::vector<Picture> load_levels(const Run &run, int layer)
     return levels;
 }
 
-MipLookup::MipLookup(const Run &run) : anisotropy_(run.settings.anisotropy)
+MipLookup::MipLookup(const Run &run)
+    : anisotropy_(run.settings.anisotropy), hardware_(run.settings.hardware)
 {
     if (!run.settings.mips)
         return;
@@ -103,7 +104,11 @@ Interval MipLookup::along(const Receiver &r, const double direction[2],
         taps == 1 ? 0
                   : AXIS_ERROR * longer / std::min(finest.width, finest.height);
     Interval all(1e9, -1e9);
-    for (double l : places(level, LEVEL_ERROR)) {
+    std::vector<double> levels = places(level, LEVEL_ERROR);
+    if (hardware_)
+        levels = {level - 1, std::floor(level), level, std::ceil(level),
+                  level + 1};
+    for (double l : levels) {
         Interval sum = 0;
         for (int i = 0; i < taps; i++) {
             double steps = (i - 0.5 * (taps - 1)) * tap_length;

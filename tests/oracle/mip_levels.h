@@ -18,7 +18,8 @@ class MipLookup
     explicit MipLookup(const Run &run);
 
     // Everything that 32-bit arithmetic may look up at a receiver, which is
-    // pixel (x, y).
+    // pixel (x, y). Of the hardware's sampler: whatever a level up to one finer
+    // or coarser gives, for that is how far its choices may be off.
     Interval moment(const Receiver &r, int x, int y, int channel) const;
 
   private:
@@ -28,6 +29,7 @@ class MipLookup
                    double shorter, int taps, int channel) const;
 
     int anisotropy_;
+    bool hardware_;
     Picture footprint_;
     std::vector<std::vector<Picture>> levels_; // by layer
 };

@@ -185,6 +185,12 @@ my %OPTIONS = (
         steps => [ 4, 5 ],
         check => \&check_sat,
     },
+    sampler => {
+        steps   => [ 4, 5 ],
+        check   => \&check_sampler,
+        bad     => [ 'gpu', '' ],
+        allowed => qr/explicit,hardware/,
+    },
     'sat-by' => {
         steps   => [ 4, 5 ],
         check   => \&check_sat_by,
@@ -375,6 +381,25 @@ sub check_sat {
             "--sat with --blur $kernel"
         );
     }
+    return;
+}
+
+# Mesa can be told to leave an extension out.
+sub check_sampler {
+    my ($step) = @_;
+    my @words = ( @FINE, qw(--mips --anisotropy 8 --sampler) );
+    my ( $explicit, $hardware ) = map { draw( $step, @words, $_ ) }
+      qw(explicit hardware);
+    ok( $explicit && $hardware && $explicit ne $hardware,
+        "step $step: --sampler hardware changes the picture" );
+    is_refused( $step, [qw(--sampler hardware)],
+        [qr/--sampler hardware.*add --mips or drop --sampler/],
+        '--sampler without --mips' );
+    local $ENV{MESA_EXTENSION_OVERRIDE} =
+      '-GL_EXT_texture_filter_anisotropic';
+    is_refused( $step, [ qw(--mips --anisotropy 8 --sampler), 'hardware' ],
+        [qr/--sampler hardware.*--anisotropy.*drop one/],
+        'what the driver cannot sample' );
     return;
 }
 
