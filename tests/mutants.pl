@@ -252,12 +252,12 @@ my %mutants = (
         'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
         '1.0, box_width)', '0.01, 64.0)'
     ],
-    'no derivatives for the sampler' => [
-        'prefilters', 'step4_blur/shaders/lookup_hardware.glsl',
-        'steps.xy, steps.zw', '0.0 * steps.xy, 0.0 * steps.zw'
+    'u and v swapped for the sampler' => [
+        'sampler', 'step4_blur/shaders/lookup_hardware.glsl',
+        'vec3(receiver.uv,', 'vec3(receiver.uv.yx,'
     ],
     'derivatives in texels for the sampler' => [
-        'prefilters', 'step4_blur/shaders/lookup_hardware.glsl',
+        'sampler', 'step4_blur/shaders/lookup_hardware.glsl',
         'steps.xy, steps.zw', '9.0 * steps.xy, 9.0 * steps.zw'
     ],
     'levels made with a box' => [

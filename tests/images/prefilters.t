@@ -43,13 +43,6 @@ for my $options ( [qw(--radius 1)], [qw(--radius 8)], [qw(--downsample 2)] ) {
         dump_run( 5, qw(--scene edge --sat), @bare, @$options ) );
 }
 
-# The hardware's sampler: within a level of ours.
-for my $options ( [qw(--anisotropy 16)], [] ) {
-    oracle( 'stage',
-        dump_run( 5, @bare, qw(--scene fence --mips --sampler hardware),
-            qw(--map-size 512), @$options ) );
-}
-
 # What sums the table does not change it.
 for my $options ( [], [qw(--map-size 300x180 --scene room --radius 9)] ) {
     same_files(

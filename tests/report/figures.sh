@@ -15,3 +15,43 @@ gnuplot -e "input='$dump/error.footprint.bin'; width=640; height=360;
     name='$program: visibility against footprint truth, RMSE $rmse';
     output='$program/error.png'" tests/report/error_picture.gp
 echo "$program/figure.png $program/error.png"
+
+# panel NAME OPTION...: one part of a technique's picture.
+panel() {
+    name=$1
+    shift
+    "$build/step5_chebyshev" --size 640x360 --output "$dump/$name.png" "$@"
+}
+
+# join FILE NAME...: the panels side by side, two in a row, at half their size.
+join() {
+    file=$1
+    shift
+    panels=
+    for name; do panels="$panels $dump/$name.png"; done
+    # shellcheck disable=SC2086 # a list of words
+    montage $panels -tile 2x -resize 48% -geometry +2+2 -depth 8 -strip "$file"
+    echo "$file"
+}
+
+case $program in
+step4_blur)
+    fence='--scene fence --map-size 2048 --radius'
+    # shellcheck disable=SC2086 # a list of words
+    {
+        panel plain $fence 1
+        panel mips $fence 1 --mips
+        panel anisotropy $fence 1 --mips --anisotropy 16
+        panel sat $fence 4 --sat
+    }
+    join "$program/technique_filters.png" plain mips anisotropy sat
+    ;;
+step5_chebyshev)
+    panel fixed --map-size 256 --radius 7 --sat
+    panel adaptive --map-size 256 --radius 7 --sat --sat-width adaptive
+    join "$program/technique_sat_width.png" fixed adaptive
+    panel forward
+    panel deferred --deferred
+    join "$program/technique_deferred.png" forward deferred
+    ;;
+esac
