@@ -58,6 +58,14 @@ my %mutants = (
         'step2', 'step1_shadowmap/shaders/bias.glsl',
         '0.5 * float(kernel + 1)', '0.25 * float(kernel + 1)'
     ],
+    'a slope bias for one texel' => [
+        'bias', 'step1_shadowmap/shaders/bias.glsl',
+        '0.5 * float(kernel + 1)', '1.0'
+    ],
+    'no constant bias' => [
+        'bias', 'step1_shadowmap/shaders/bias.glsl',
+        'return bias + slope_bias', 'return slope_bias'
+    ],
     'one tap row forgotten' => [
         'step2', 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
     ],

@@ -31,6 +31,9 @@ static const char *const USAGE =
     "  lower    step 5: p_max is not below the lit share of the texels\n"
     "  matrix   positions, the light's view and the camera\n"
     "  rays     depths, positions and visibility against ray casting\n"
+    "  bias     what a depth bias leaves and takes (steps 1, 2): the share\n"
+    "           of the lit pixels that is dark [acne-least=0] [acne-most=1],\n"
+    "           of those in shadow that is not [lost-least=0] [lost-most=1]\n"
     "  shading  the picture from positions, normals and visibility\n"
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
@@ -91,6 +94,25 @@ static void run_rays(const Run &run, Report &report)
         check_ray_depths(run, rays, extent, int(layer), report);
     check_ray_positions(run, table.scene, rays, extent, report);
     check_ray_visibility(run, table.scene, rays, extent, report);
+}
+
+static Share share_of(const Arguments &arguments, const std::string &name)
+{
+    return {arguments.number(name + "-least", 0),
+            arguments.number(name + "-most", 1)};
+}
+
+static void run_bias(const std::string &folder, const Words &words,
+                     Report &report)
+{
+    Arguments arguments(words,
+                        {"acne-least", "acne-most", "lost-least", "lost-most"});
+    Run run = load_run(folder);
+    SceneTable table(run.scene, run.light);
+    RayScene rays(table.scene, run.origin);
+    check_bias(run, table.scene, rays, scene_extent(table.scene, run.origin),
+               {share_of(arguments, "acne"), share_of(arguments, "lost")},
+               report);
 }
 
 static void run_shading(const Run &run, Report &report)
@@ -187,6 +209,8 @@ static int answer(const Words &given)
             run_compare(words, report);
         else if (check == "truths")
             run_truths(words[0], rest, report);
+        else if (check == "bias")
+            run_bias(words[0], rest, report);
         else
             run_check(check, words[0], rest, report);
     } catch (const std::exception &error) {

@@ -18,6 +18,32 @@ void check_ray_positions(const Run &run, const Scene &scene,
 void check_ray_visibility(const Run &run, const Scene &scene,
                           const RayScene &rays, double extent, Report &report);
 
+// What share of something is expected.
+struct Share {
+    double least = 0, most = 1;
+
+    bool asked() const
+    {
+        return least > 0 || most < 1;
+    }
+    // No share of nothing is right.
+    bool holds(size_t part, size_t all) const
+    {
+        double share = double(part) / double(all);
+        return all > 0 && share >= least && share <= most;
+    }
+};
+
+// Of the pixels that rays say are lit, how many are dark; of those that they
+// say are in shadow, how many are not, however near the occluder is. What is
+// not asked for is not reported.
+struct BiasShares {
+    Share acne, lost;
+};
+
+void check_bias(const Run &run, const Scene &scene, const RayScene &rays,
+                double extent, const BiasShares &shares, Report &report);
+
 // The ray through u, v of the map. A distance along it is a depth t, from
 // t = `start` on (Embree needs it to begin before what it should hit).
 Ray map_ray(const MapView &view, double u, double v, double start);

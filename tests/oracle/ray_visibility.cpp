@@ -18,11 +18,15 @@ struct Tally {
     double darkest_lit = 1, brightest_shadowed = 0;
 };
 
+// Whether an occluder within the bias is one: APART, or as good as any other.
+enum class Close { APART, COUNTS };
+
 struct RayContext { // what does not change from pixel to pixel
     const Run &run;
     const RayScene &rays;
     const PictureCamera &camera;
     double extent;
+    Close close;
 };
 
 } // namespace
@@ -91,7 +95,7 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
     OwnPlane plane(view, r.position, normal);
     const Settings &settings = context.run.settings;
     double bias = 0;
-    if (context.run.step <= 4)
+    if (context.run.step <= 4 && context.close == Close::APART)
         bias = total_bias(r, view, map.width() / settings.downsample,
                           map.height() / settings.downsample, settings.kernel,
                           settings)
@@ -140,11 +144,11 @@ static void print(const Run &run, const Tally &t, Report &report)
                 t.lit + t.shadowed, all, t.apart);
 }
 
-void check_ray_visibility(const Run &run, const Scene &scene,
-                          const RayScene &rays, double extent, Report &report)
+static Tally tally_of(const Run &run, const Scene &scene, const RayScene &rays,
+                      double extent, Close close)
 {
     PictureCamera camera(scene.camera, run.width, run.height);
-    RayContext context{run, rays, camera, extent};
+    RayContext context{run, rays, camera, extent, close};
     Receivers receivers(run);
     std::vector<IdealMap> maps;
     for (const MapView &view : run.views)
@@ -176,5 +180,26 @@ void check_ray_visibility(const Run &run, const Scene &scene,
             }
             count(truth, r.visibility, tally);
         }
-    print(run, tally, report);
+    return tally;
+}
+
+void check_ray_visibility(const Run &run, const Scene &scene,
+                          const RayScene &rays, double extent, Report &report)
+{
+    print(run, tally_of(run, scene, rays, extent, Close::APART), report);
+}
+
+void check_bias(const Run &run, const Scene &scene, const RayScene &rays,
+                double extent, const BiasShares &shares, Report &report)
+{
+    Tally t = tally_of(run, scene, rays, extent, Close::COUNTS);
+    if (shares.acne.asked())
+        report.line(shares.acne.holds(t.lit_wrong, t.lit), "acne",
+                    "%zu of %zu lit pixels under 0.98, a share of %g .. %g",
+                    t.lit_wrong, t.lit, shares.acne.least, shares.acne.most);
+    if (shares.lost.asked())
+        report.line(
+            shares.lost.holds(t.shadowed_wrong, t.shadowed), "lost shadow",
+            "%zu of %zu shadowed pixels over 0.02, a share of %g .. %g",
+            t.shadowed_wrong, t.shadowed, shares.lost.least, shares.lost.most);
 }
