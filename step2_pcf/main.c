@@ -34,15 +34,14 @@ static void read_settings(int argc, char **argv)
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
     state.options[2] = (OptionTable){pcf_options, &state.pcf, {false}};
     options_parse(argc, argv, state.options);
-    base_settings_check(&state.base);
     pcf_settings_check(&state.pcf);
+    base_settings_check(&state.base);
 }
 
 static void create(void)
 {
-    const char *visibility[1 + PCF_MAX_FILES] = {
-        "step1_shadowmap/shaders/bias.glsl"};
-    pcf_shaders(&state.pcf, &visibility[1]);
+    const char *visibility[PCF_MAX_SHADERS];
+    pcf_shaders(&state.pcf, visibility);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));

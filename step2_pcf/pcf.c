@@ -2,7 +2,8 @@
 
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // die_usage
+#include "step1_shadowmap/base/die.h"        // die_usage
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw_footprint
 
 const Option pcf_options[] = {
     {.name = "kernel",
@@ -12,16 +13,21 @@ const Option pcf_options[] = {
      .maximum = 255,
      .argument = "N",
      .help = "filter width in texels of the map, N x N comparisons"},
-    {.name = "bilinear",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(PcfSettings, bilinear),
-     .help = "each comparison a weighted mean of 2 x 2, without steps"},
     {.name = "pattern",
      .kind = OPTION_CHOICE,
      .offset = offsetof(PcfSettings, pattern),
      .choices = "grid,poisson",
-     .help = "where the comparisons are: in every texel of a square, or 32 in "
-             "a disc, turned in every pixel"},
+     .help = "where the comparisons are: at every texel, or at 32 points of a "
+             "disc that each pixel turns"},
+    {.name = "bilinear",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(PcfSettings, bilinear),
+     .help = "each comparison a weighted mean of 2 x 2, without steps"},
+    {.name = "adaptive",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(PcfSettings, adaptive),
+     .help = "each pixel's filter is as wide as the pixel is in the map: from "
+             "3 texels to --kernel"},
     {0},
 };
 
@@ -30,23 +36,31 @@ PcfSettings pcf_settings(void)
     return (PcfSettings){.kernel = 7, .pattern = "grid"};
 }
 
-static bool is_poisson(const PcfSettings *settings)
+static bool uses_disc(const PcfSettings *settings)
 {
     return strcmp(settings->pattern, "poisson") == 0;
 }
 
 void pcf_settings_check(const PcfSettings *settings)
 {
-    if (settings->bilinear && is_poisson(settings)) {
-        die_usage("--bilinear weights a grid's rim, which --pattern poisson "
-                  "has not: drop one of them");
+    if (settings->bilinear && uses_disc(settings)) {
+        die_usage("--bilinear weights the taps of a grid, and --pattern "
+                  "poisson has none: drop one of them");
     }
 }
 
-void pcf_shaders(const PcfSettings *settings, const char *files[PCF_MAX_FILES])
+void pcf_shaders(const PcfSettings *settings, const char *files[])
 {
+    *files++ = "step1_shadowmap/shaders/bias.glsl";
     *files++ = "step2_pcf/shaders/map_depth.glsl";
-    if (is_poisson(settings)) {
+    if (settings->adaptive) {
+        *files++ = scene_draw_footprint;
+        *files++ = "step1_shadowmap/shaders/ellipse.glsl";
+        *files++ = "step2_pcf/shaders/width_adaptive.glsl";
+    } else {
+        *files++ = "step2_pcf/shaders/width_fixed.glsl";
+    }
+    if (uses_disc(settings)) {
         *files++ = "step2_pcf/shaders/poisson_disc.glsl";
         *files++ = "step2_pcf/shaders/pcf_poisson.glsl";
     } else {

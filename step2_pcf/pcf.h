@@ -8,27 +8,28 @@
 
 typedef struct PcfSettings {
     int kernel;          // n of n x n taps, odd
+    const char *pattern; // grid or poisson
     bool bilinear;       // each tap is a weighted mean of 2 x 2 comparisons
-    const char *pattern; // where the taps are: grid or poisson
+    bool adaptive;       // n is the pixel's own, up to `kernel`
 } PcfSettings;
 
 extern const Option pcf_options[];
 
 PcfSettings pcf_settings(void);
 
-// Exits with 2 and one line where two options contradict each other.
+// Refuses (status 2) options that contradict each other.
 void pcf_settings_check(const PcfSettings *settings);
 
-enum { PCF_MAX_FILES = 4 };
+enum { PCF_MAX_SHADERS = 8 };
 
-// The shader files that define visibility() for these settings, NULL at the
-// end.
-void pcf_shaders(const PcfSettings *settings, const char *files[PCF_MAX_FILES]);
+// The shader files that define visibility() for these settings, up to
+// PCF_MAX_SHADERS with the NULL at the end.
+void pcf_shaders(const PcfSettings *settings, const char *files[]);
 
 // How many texels the filter reads to each side of the receiver's own.
 int pcf_reach(const PcfSettings *settings);
 
-// Sets the uniform of pcf.glsl.
+// Sets the uniform of these files.
 void pcf_apply(const PcfSettings *settings, GLuint program);
 
 #endif

@@ -9,10 +9,12 @@ const char blur_sat_lookup[] = "step4_blur/shaders/lookup_sat.glsl";
 static const char *const bilinear[] = {
     "step3_moments/shaders/lookup_bilinear.glsl", NULL};
 static const char *const trilinear[] = {
-    scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
+    scene_draw_footprint, "step1_shadowmap/shaders/ellipse.glsl",
+    "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_trilinear.glsl", NULL};
 static const char *const anisotropic[] = {
-    scene_draw_footprint, "step4_blur/shaders/mip_levels.glsl",
+    scene_draw_footprint, "step1_shadowmap/shaders/ellipse.glsl",
+    "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_anisotropic.glsl", NULL};
 static const char *const hardware[] = {
     scene_draw_footprint, "step4_blur/shaders/lookup_hardware.glsl", NULL};

@@ -21,11 +21,11 @@ my %mutants = (
     ],
     'a disc of twice the radius' => [
         'step2', 'step2_pcf/shaders/pcf_poisson.glsl',
-        '0.5 * float(kernel)', 'float(kernel)'
+        '0.5 * float(width)', 'float(width)'
     ],
     'all taps of the disc at one place' => [
         'step2', 'step2_pcf/shaders/pcf_poisson.glsl',
-        '+ radius * poisson_tap(i)', ''
+        'poisson_tap(i)', 'poisson_tap(0)'
     ],
     'a comparison the wrong way round' => [
         'step1', 'step1_shadowmap/shaders/hard.glsl',
@@ -68,6 +68,22 @@ my %mutants = (
     ],
     'one tap row forgotten' => [
         'step2', 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
+    ],
+    'a width by the shorter axis' => [
+        'pcf', 'step2_pcf/shaders/width_adaptive.glsl',
+        '.longer', '.shorter'
+    ],
+    'a width that is not clamped' => [
+        'pcf', 'step2_pcf/shaders/width_adaptive.glsl',
+        'min(2 * radius + 1, kernel)', '2 * radius + 1'
+    ],
+    'weights of the rim swapped' => [
+        'pcf', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'i == width ? part : 1.0', 'i == width ? 1.0 - part : 1.0'
+    ],
+    'bilinear taps half a texel off' => [
+        'pcf', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'vec2(size) - 0.5', 'vec2(size)'
     ],
     'both moments scaled' => [
         'step3', 'step3_moments/shaders/moments.frag',
@@ -137,7 +153,7 @@ my %mutants = (
     ],
     'a rim that is not weighted' => [
         'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
-        'i == kernel ? part : 1.0', '1.0'
+        'i == width ? part : 1.0', '1.0'
     ],
     'the wrong row of the kernel' => [
         'truths', 'step4_blur/shaders/blur.frag',

@@ -1,7 +1,6 @@
 // Reading a shadow map whose outside is at far depth.
 
 uniform sampler2DArray shadow_map;  // red: depth in [0, 1]
-uniform int kernel;                 // n of n x n taps, odd
 
 float occluder_depth(ivec2 texel, int layer)
 {

@@ -5,8 +5,9 @@ float visibility(Receiver receiver)
 {
     ivec2 size = textureSize(shadow_map, 0).xy;
     ivec2 middle = min(ivec2(receiver.uv * vec2(size)), size - 1);
-    float bias = comparison_bias(receiver, kernel, vec2(size));
-    int radius = kernel / 2;
+    int width = filter_width(receiver);
+    float bias = comparison_bias(receiver, width, vec2(size));
+    int radius = width / 2;
     float lit = 0.0;
     for (int y = -radius; y <= radius; y++) {
         for (int x = -radius; x <= radius; x++) {
@@ -15,5 +16,5 @@ float visibility(Receiver receiver)
             lit += receiver.depth - bias <= occluder ? 1.0 : 0.0;
         }
     }
-    return lit / float(kernel * kernel);
+    return lit / float(width * width);
 }

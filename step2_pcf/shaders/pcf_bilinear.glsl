@@ -4,12 +4,12 @@
 // n x n taps are (n + 1) x (n + 1) comparisons: weight 1 inside, less at the
 // rim.
 
-float tap_weight(int i, float part)
+float tap_weight(int i, int width, float part)
 {
     if (i == 0) {
         return 1.0 - part;
     }
-    return i == kernel ? part : 1.0;
+    return i == width ? part : 1.0;
 }
 
 float visibility(Receiver receiver)
@@ -17,17 +17,19 @@ float visibility(Receiver receiver)
     ivec2 size = textureSize(shadow_map, 0).xy;
     vec2 place = receiver.uv * vec2(size) - 0.5;
     vec2 part = place - floor(place);
-    ivec2 corner = ivec2(floor(place)) - kernel / 2;
-    float bias = comparison_bias(receiver, kernel, vec2(size));
+    int width = filter_width(receiver);
+    ivec2 corner = ivec2(floor(place)) - width / 2;
+    float bias = comparison_bias(receiver, width, vec2(size));
     float lit = 0.0;
-    for (int y = 0; y <= kernel; y++) {
-        for (int x = 0; x <= kernel; x++) {
+    for (int y = 0; y <= width; y++) {
+        for (int x = 0; x <= width; x++) {
             float occluder =
                 occluder_depth(corner + ivec2(x, y), receiver.layer);
-            float weight = tap_weight(x, part.x) * tap_weight(y, part.y);
+            float weight = tap_weight(x, width, part.x) *
+                           tap_weight(y, width, part.y);
             lit += receiver.depth - bias <= occluder ? weight : 0.0;
         }
     }
     // The weights add up to n^2 only up to rounding.
-    return min(lit / float(kernel * kernel), 1.0);
+    return min(lit / float(width * width), 1.0);
 }

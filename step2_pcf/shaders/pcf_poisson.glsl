@@ -1,15 +1,15 @@
-// --pattern poisson: the same few taps whatever the width, spread over a disc
-// as wide as the kernel.
+// --pattern poisson: the taps are spread over a disc as wide as the grid.
 
 float visibility(Receiver receiver)
 {
     vec2 size = vec2(textureSize(shadow_map, 0).xy);
-    float bias = comparison_bias(receiver, kernel, size);
-    float radius = 0.5 * float(kernel);
+    int width = filter_width(receiver);
+    float bias = comparison_bias(receiver, width, size);
     float lit = 0.0;
     for (int i = 0; i < POISSON_TAPS; i++) {
-        vec2 place = receiver.uv * size + radius * poisson_tap(i);
-        float occluder = occluder_depth(ivec2(floor(place)), receiver.layer);
+        vec2 place = receiver.uv * size + 0.5 * float(width) * poisson_tap(i);
+        float occluder =
+            occluder_depth(ivec2(floor(place)), receiver.layer);
         lit += receiver.depth - bias <= occluder ? 1.0 : 0.0;
     }
     return lit / float(POISSON_TAPS);

@@ -5,13 +5,13 @@ uniform int anisotropy;  // most taps
 
 vec2 moments_at(Receiver receiver)
 {
-    Ellipse pixel = pixel_ellipse(receiver);
+    ivec2 texels = textureSize(shadow_map, 0).xy;
+    Ellipse pixel = pixel_ellipse(receiver, texels);
     float ratio = pixel.longer / max(pixel.shorter, 1.0);
     int taps = int(clamp(ratio, 1.0, float(anisotropy)) + 0.5);
     float tap_length = pixel.longer / float(taps);
     float level = log2(max(max(pixel.shorter, tap_length), 1.0));
-    vec2 size = vec2(textureSize(shadow_map, 0).xy);
-    vec2 tap_step = pixel.direction * tap_length / size;
+    vec2 tap_step = pixel.direction * tap_length / vec2(texels);
     vec2 sum = vec2(0.0);
     for (int i = 0; i < taps; i++) {
         float steps = float(i) - 0.5 * float(taps - 1);

@@ -2,6 +2,7 @@
 
 vec2 moments_at(Receiver receiver)
 {
-    float level = log2(max(pixel_ellipse(receiver).longer, 1.0));
+    ivec2 size = textureSize(shadow_map, 0).xy;
+    float level = log2(max(pixel_ellipse(receiver, size).longer, 1.0));
     return moments_at_level(receiver.uv, receiver.layer, level);
 }

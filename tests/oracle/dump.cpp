@@ -98,6 +98,7 @@ static Settings settings_of(const json &options, int step)
         settings.kernel = options.at("kernel").get<int>();
         settings.bilinear = options.at("bilinear").get<bool>();
         settings.poisson = options.at("pattern") == "poisson";
+        settings.adaptive = options.at("adaptive").get<bool>();
     }
     if (step >= 3)
         settings.half = stores_halves(options);

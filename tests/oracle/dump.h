@@ -51,6 +51,7 @@ struct Settings {
     int kernel = 1;        // texels
     bool bilinear = false; // each tap of the kernel a mean of 2 x 2 texels
     bool poisson = false;  // 32 taps in a disc in place of the n x n
+    bool adaptive = false; // the kernel is the widest, pixels choose theirs
     bool half = false;     // moments are stored as 16-bit floats
     Blur blur = Blur::NONE;
     int radius = 0;        // texels of the downsampled map

@@ -50,14 +50,13 @@ static const char *const USAGE =
 
 using Words = std::vector<std::string>;
 
-// The kernel of a disc, or of a width per pixel, is no product of one for each
-// axis, which these checks need.
+// These checks need a kernel that is a product of one for each axis and the
+// same for every pixel.
 static Run load_separable(const std::string &folder)
 {
     Run run = load_run(folder);
-    if (run.settings.poisson)
-        throw BadInput(folder + ": --pattern poisson: only stage and disc "
-                                "know its kernel");
+    if (run.settings.poisson || run.settings.adaptive)
+        throw BadInput(folder + ": not for --pattern poisson or --adaptive");
     return run;
 }
 
@@ -71,7 +70,7 @@ static void run_stages(const Run &run, Report &report)
         if (run.settings.mips)
             check_mips(run, int(layer), report);
     }
-    if (run.settings.mips || run.settings.adaptive_box)
+    if (run.settings.mips || run.settings.adaptive_box || run.settings.adaptive)
         check_footprint(run, report);
     check_visibility(run, report);
 }
@@ -134,7 +133,7 @@ static void run_errors(const std::string &folder, const Words &words)
     if (arguments.given("light-size") && !(options.light_size > 0))
         throw BadInput("light-size: more than 0");
     options.write_into = arguments.text("write", "");
-    print_errors(load_separable(folder), options);
+    print_errors(load_run(folder), options);
 }
 
 static void run_truths(const std::string &folder, const Words &words,

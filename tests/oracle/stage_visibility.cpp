@@ -6,6 +6,7 @@
 #include "tests/oracle/footprint.h"
 #include "tests/oracle/light.h"
 #include "tests/oracle/mip_levels.h"
+#include "tests/oracle/pcf_width.h"
 #include "tests/oracle/poisson_disc.h"
 #include "tests/oracle/rounding.h"
 #include "tests/oracle/stage.h"
@@ -169,6 +170,7 @@ struct Pixel {
     const std::vector<Picture> &maps; // by layer
     const MipLookup &mips;
     const BoxLookup &boxes;
+    const PcfWidth &widths;
 };
 
 } // namespace
@@ -186,18 +188,33 @@ static Interval moment(const Run &run, const Receiver &r, const Pixel &pixel,
     return widened(value, 2 * table_absolute(run.settings));
 }
 
+// Step 2, over the widths that the pixel can have chosen.
+static Interval pcf_anyhow(const Run &run, const Receiver &r,
+                           const MapView &view, const Pixel &pixel)
+{
+    const Picture &map = pixel.maps[size_t(r.layer)];
+    Settings settings = run.settings;
+    Interval lit(1, 0);
+    for (int width :
+         pixel.widths.at(r, pixel.x, pixel.y, map.width, map.height)) {
+        settings.kernel = width;
+        Interval here = settings.poisson
+                            ? disc_pcf(r, view, map, pixel.x, pixel.y, settings)
+                        : settings.bilinear ? soft_pcf(r, view, map, settings)
+                                            : pcf(r, view, map, settings);
+        lit = {std::min(lit.lo, here.lo), std::max(lit.hi, here.hi)};
+    }
+    return lit;
+}
+
 // The visibility of a receiver inside the map that faces the light.
 static Interval expected(const Run &run, const Receiver &r, const MapView &view,
                          const Pixel &pixel)
 {
     const Settings &settings = run.settings;
     const Picture &map = pixel.maps[size_t(r.layer)];
-    if (settings.bilinear)
-        return soft_pcf(r, view, map, settings);
-    if (settings.poisson)
-        return disc_pcf(r, view, map, pixel.x, pixel.y, settings);
     if (run.step <= 2)
-        return pcf(r, view, map, settings);
+        return pcf_anyhow(run, r, view, pixel);
     Interval m1 = moment(run, r, pixel, 0);
     if (run.step == 5)
         return chebyshev(m1, moment(run, r, pixel, 1), r.t, settings);
@@ -269,13 +286,14 @@ void check_visibility(const Run &run, Report &report)
         maps.push_back(load_filtered(run, int(layer)));
     MipLookup mips(run);
     BoxLookup boxes(run);
+    PcfWidth widths(run);
     size_t shown = 0, untested = 0, wrong = 0;
     double worst = 0, widest = 0;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
             Interval truth =
-                expected_anywhere(run, r, {x, y, maps, mips, boxes});
+                expected_anywhere(run, r, {x, y, maps, mips, boxes, widths});
             shown += r.shown ? 1 : 0;
             if (truth.width() > WIDEST) {
                 untested++;

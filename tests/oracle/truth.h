@@ -10,6 +10,7 @@
 
 #include "tests/oracle/dump.h"
 #include "tests/oracle/ideal_map.h"
+#include "tests/oracle/pcf_width.h"
 #include "tests/oracle/projection.h"
 #include "tests/oracle/rays.h"
 #include "tests/oracle/scene_table.h"
@@ -40,6 +41,7 @@ struct TruthScene {
     double extent; // the largest coordinate
     double lift;   // off a surface, so that a ray does not meet it again
     std::vector<IdealMap> ideal;
+    PcfWidth widths; // of step 2's filter
 
     explicit TruthScene(const Run &the_run);
     const MapView &view(const Receiver &r) const

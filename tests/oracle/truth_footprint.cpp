@@ -1,6 +1,7 @@
 #include <algorithm> // max
 #include <cmath>     // INFINITY
-#include <memory>    // shared_ptr
+#include <map>
+#include <memory> // shared_ptr
 
 #include "tests/oracle/axis_kernel.h"
 #include "tests/oracle/own_plane.h"
@@ -11,14 +12,38 @@
 namespace
 {
 
+// Steps that spread whole multiples of them evenly over the unit square: one
+// over the plastic number, and over its square.
+const glm::dvec2 PLASTIC(0.7548776662466927, 0.5698402909980532);
+
 // The kernel's points, in map texels from the receiver.
 struct Points {
     Strata strata;
     double half_width;
 
-    Points(double rays, const Run &run) : strata(rays)
+    Points(double rays, int step, const Settings &settings) : strata(rays)
     {
-        AxisKernel kernel(run.step, run.settings);
+        if (settings.poisson)
+            fill_disc(settings.kernel);
+        else
+            fill_square(AxisKernel(step, settings));
+    }
+
+  private:
+    // The texel that a tap falls into is as good as a point of it: the disc,
+    // spread over a box of one texel by a second pair of strata.
+    void fill_disc(int width)
+    {
+        half_width = (width + 1) / 2.0;
+        for (Pattern &pattern : strata.all())
+            for (size_t i = 0; i < pattern.size(); i++) {
+                glm::dvec2 within = glm::fract(double(i) * PLASTIC) - 0.5;
+                pattern[i] = 0.5 * width * disc_point(pattern[i]) + within;
+            }
+    }
+
+    void fill_square(const AxisKernel &kernel)
+    {
         half_width = kernel.half_width();
         for (Pattern &pattern : strata.all())
             for (glm::dvec2 &point : pattern)
@@ -92,12 +117,23 @@ static TruthValue average(const TruthScene &scene, const Points &points,
 
 Truth footprint_truth(const TruthScene &scene, double rays)
 {
-    auto points = std::make_shared<Points>(rays, scene.run);
+    // By the width that the pixel has chosen, where it may.
+    auto points = std::make_shared<std::map<int, Points>>();
+    Settings settings = scene.run.settings;
+    for (int width = settings.adaptive ? 1 : settings.kernel;
+         width <= scene.run.settings.kernel; width += 2) {
+        settings.kernel = width;
+        points->emplace(width, Points(rays, scene.run.step, settings));
+    }
     auto at = [&scene, points](const Pixel &pixel,
                                const Receiver &r) -> TruthValue {
         if (!pixel.surface.found)
             return {1, true};
-        return average(scene, *points, pixel, scene.view(r));
+        const MapView &view = scene.view(r);
+        int width =
+            scene.widths.at(r, pixel.x, pixel.y, view.width, view.height)
+                .front();
+        return average(scene, points->at(width), pixel, view);
     };
     return {"footprint", [&scene, at](const Pixel &pixel) {
                 return over_layers(scene, pixel, at);

@@ -11,7 +11,7 @@ TruthScene::TruthScene(const Run &the_run)
       camera(table.scene.camera, run.width, run.height), receivers(run),
       extent(scene_extent(table.scene, run.origin)),
       // Embree's vertices and the ray's origin are off by a unit each.
-      lift(rounding_share(16) * extent)
+      lift(rounding_share(16) * extent), widths(run)
 {
     for (const MapView &view : run.views)
         ideal.emplace_back(view, rays);

@@ -135,9 +135,10 @@ my %OPTIONS = (
         steps   => [2],
         differ  => ['poisson'],
         same    => ['grid'],
-        bad     => [ 'disc', '' ],
+        bad     => [ 'disc', '', 'grid,poisson' ],
         allowed => qr/grid,\s?poisson/,
     },
+    adaptive => { steps => [2], check => \&check_adaptive },
     format   => {
         steps   => [ 3 .. 5 ],
         same    => ['rg32f'],
@@ -317,6 +318,20 @@ sub check_bilinear {
     my $picture = draw( $step, '--bilinear' );
     ok( $picture && $picture ne $plain,
         "step $step: --bilinear changes the picture" );
+    is_refused( $step, [qw(--bilinear --pattern poisson)],
+        [qr/--bilinear.*--pattern poisson.*drop one/], 'two patterns' );
+    return;
+}
+
+# Texels are wider than pixels by default, so that every filter is narrow; each
+# pixel of a finer map has a width of its own.
+sub check_adaptive {
+    my ( $step, $plain ) = @_;
+    my @fine = qw(--map-size 1024 --kernel 15);
+    my ( $wide, $adaptive ) =
+      map { draw( $step, @fine, @$_ ) } [], ['--adaptive'];
+    ok( $adaptive && $adaptive ne $wide,
+        "step $step: --adaptive changes the picture" );
     return;
 }
 
