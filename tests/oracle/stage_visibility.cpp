@@ -255,6 +255,7 @@ static void check_hardware(const Run &run, Report &report)
     std::vector<Picture> maps;
     MipLookup mips(run);
     BoxLookup boxes(run);
+    PcfWidth widths(run);
     size_t shown = 0, outside = 0;
     double worst = 0;
     for (int layer = 0; layer < int(run.views.size()); layer++)
@@ -263,7 +264,7 @@ static void check_hardware(const Run &run, Report &report)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
             Interval truth =
-                expected_anywhere(run, r, {x, y, maps, mips, boxes});
+                expected_anywhere(run, r, {x, y, maps, mips, boxes, widths});
             double distance = truth.distance(r.visibility);
             shown += r.shown ? 1 : 0;
             outside += distance > 1.0 / 255 ? 1 : 0;
