@@ -24,7 +24,7 @@ use POSIX ();
 use Test::More;
 
 our @EXPORT = qw(root program_name program command run dump_run oracle
-  slurp spew everything_below png_size stops);
+  ask_oracle  slurp spew everything_below png_size stops);
 
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );

@@ -16,11 +16,11 @@ gnuplot -e "input='$dump/error.footprint.bin'; width=640; height=360;
     output='$program/error.png'" tests/report/error_picture.gp
 echo "$program/figure.png $program/error.png"
 
-# panel NAME OPTION...: one part of a technique's picture.
+# panel NAME OPTION...: what $drawn draws, one part of a technique's picture.
 panel() {
     name=$1
     shift
-    "$build/step5_chebyshev" --size 640x360 --output "$dump/$name.png" "$@"
+    "$build/$drawn" --size 640x360 --output "$dump/$name.png" "$@"
 }
 
 # join FILE NAME...: the panels side by side, two in a row, at half their size.
@@ -34,8 +34,26 @@ join() {
     echo "$file"
 }
 
+drawn=$program
 case $program in
+step2_pcf)
+    drawn=step1_shadowmap
+    panel acne --bias 0 --slope-bias 0
+    panel panning --scene thin --bias 0.02 --slope-bias 0
+    drawn=$program
+    join "$program/technique_bias.png" acne panning
+    panel grid --map-size 128 --kernel 3
+    panel bilinear --map-size 128 --kernel 3 --bilinear
+    join "$program/technique_bilinear.png" grid bilinear
+    panel grid --map-size 256 --kernel 15
+    panel disc --map-size 256 --kernel 15 --pattern poisson
+    join "$program/technique_poisson.png" grid disc
+    panel narrow --scene fence --map-size 2048 --kernel 3
+    panel adaptive --scene fence --map-size 2048 --kernel 31 --adaptive
+    join "$program/technique_adaptive.png" narrow adaptive
+    ;;
 step4_blur)
+    drawn=step5_chebyshev
     fence='--scene fence --map-size 2048 --radius'
     # shellcheck disable=SC2086 # a list of words
     {
