@@ -292,13 +292,13 @@ static void build_avenue(Scene *scene, const double values[])
         eye[1] + ahead[1],
         eye[2] + sin(angle) * ahead[0] + cos(angle) * ahead[2]};
     set_camera(scene, eye, target, 50);
-    scene->camera.reach = 70; // past the last column
+    scene->camera.reach = 130; // past the last column
     set_light(scene, 0.7, -0.6, -0.35);
     Object *ground = add_floor(scene, add_mesh(scene, mesh_plane()));
     ground->transform[0][0] = ground->transform[2][2] = 300;
     const Mesh *box = add_mesh(scene, mesh_box());
     const double column[3] = {0.4, 3.2, 0.4};
-    for (int i = 0; i < 48; i++) {
+    for (int i = 0; i < 96; i++) {
         const double place[3] = {i % 2 ? 2.2 : -2.2, 1.6,
                                  -2.5 * (double)(i / 2)};
         set_albedo(add_object(scene, "column", box, column, place), 0.52f,

@@ -89,6 +89,25 @@ ok( $still[$_]{texel} >= $still[ $_ - 1 ]{texel},
     "split $_ has no smaller texels than the one before" )
   for 2, 3;
 
+# RMSE of visibility against what rays say is hard shadow.
+sub error_of {
+    my ( $step, @options ) = @_;
+    my @arguments = qw(--size 320x180 --map-size 512 --scene avenue);
+    my $dump =
+      dump_run( $step, @arguments, @options, @{ $more{$step} // [] } );
+    my $run = command( root() . '/build/oracle', 'errors', $dump, 'rays=4' );
+    my ($rmse) = $run->{out} =~ /^hard,(?:[^,]*,){3}([^,]+)/m
+      or die "no RMSE against hard shadow: $run->{err}\n";
+    return $rmse;
+}
+
+# Four maps of the view are at least twice as right as one of all that casts.
+for my $step ( 2, 5 ) {
+    my $one  = error_of( $step, qw(--splits 1) );
+    my $four = error_of( $step, qw(--splits 4) );
+    ok( $one >= 2 * $four, "step $step: RMSE $one, with 4 splits $four" );
+}
+
 my ( $plain, $layers ) = map { dump_run( 5, @avenue, '--show', $_ ) }
   qw(visibility layer);
 ok( slurp("$plain/picture.exr") ne slurp("$layers/picture.exr"),
