@@ -84,7 +84,7 @@ void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
                           const char *files[]);
 
 // Sets the uniforms of these files.
-void blur_set_lookup(const Blur *blur, GLuint program);
+void blur_set_lookup(const Blur *blur, const Views *views, GLuint program);
 
 // Writes the result of blur_apply, layer L as directory/blurred.L.exr; see
 // mips_dump for the rest.

@@ -43,12 +43,27 @@ void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
     *files = NULL;
 }
 
-void blur_set_lookup(const Blur *blur, GLuint program)
+// The coarsest level that a point light's face can be looked up at: beyond the
+// border nothing was drawn, and the seams would show. Counted in texels of
+// level 0, one of level k holds 1.5 (2^k - 1) to both sides of its centre, for
+// 1 3 3 1 adds 1.5 of each level's own, and a bilinear lookup adds 2^k.
+static int last_level(const Blur *blur, const Views *views)
+{
+    int last = blur->mips.levels - 1;
+    bool point = views->light_position[3] != 0 && views->layers > 1;
+    int free = views->border / blur->factor - blur->radius;
+    while (point && last > 0 && 2.5 * (1 << last) - 1.5 > free) {
+        last--;
+    }
+    return last;
+}
+
+void blur_set_lookup(const Blur *blur, const Views *views, GLuint program)
 {
     glUseProgram(program);
     if (blur->mips.levels > 0) {
         glUniform1i(glGetUniformLocation(program, "last_level"),
-                    blur->mips.levels - 1);
+                    last_level(blur, views));
         glUniform1i(glGetUniformLocation(program, "anisotropy"),
                     blur->anisotropy);
     }

@@ -345,6 +345,10 @@ my %mutants = (
         'clamp(nearness, 0.0, 1.0) * float(steps) + 0.5',
         'floor(clamp(nearness, 0.0, 1.0) * 65536.0) * float(steps / 65536u)'
     ],
+    'levels of a cube as coarse as there are' => [
+        'seams', 'step4_blur/shaders/mip_levels.glsl',
+        'float last = float(last_level)', 'float last = 8.0'
+    ],
     'the border cut off before the blur' => [
         'seams',
         'step4_blur/shaders/map_texel.glsl',

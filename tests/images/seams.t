@@ -51,4 +51,11 @@ for my $options (
     }
 }
 
+# Each level as the formula says, up to the last that stays within the border;
+# the wide blur leaves fewer of them, and coarse pixels ask for more.
+for my $options ( [], [qw(--radius 6)] ) {
+    my @coarse = qw(--size 80x45 --map-size 512 --mips --bleed-reduction 0);
+    oracle( 'stage', dump_run( 5, qw(--scene room), @coarse, @$options ) );
+}
+
 done_testing;

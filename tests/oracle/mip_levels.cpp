@@ -38,6 +38,18 @@ MipLookup::MipLookup(const Run &run)
     footprint_ = load_file(run, "footprint.exr", run.width, run.height, 4);
     for (size_t layer = 0; layer < run.views.size(); layer++)
         levels_.push_back(load_levels(run, int(layer)));
+    // Half the width of what a level's lookup reads, by adding up: the blur,
+    // 1.5 texels of each level that was halved, and one of the level's own.
+    const MapView &view = run.views[0];
+    bool limited = view.lamp == Lamp::POINT && !hardware_;
+    for (auto &chain : levels_)
+        for (size_t k = 1; limited && k < chain.size(); k++) {
+            double reach = run.settings.radius + std::exp2(double(k));
+            for (size_t finer = 0; finer < k; finer++)
+                reach += 1.5 * std::exp2(double(finer));
+            if (reach > std::floor(view.border / run.settings.downsample))
+                chain.resize(k);
+        }
 }
 
 static double texel(const Picture &map, int x, int y, int channel)
