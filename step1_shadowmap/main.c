@@ -38,6 +38,8 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
+    const char *const fill[] = {state.base.depth_shader,
+                                "step1_shadowmap/shaders/depth.frag", NULL};
     static const char *const visibility[] = {
         "step1_shadowmap/shaders/bias.glsl",
         "step1_shadowmap/shaders/hard.glsl", NULL};
@@ -45,9 +47,9 @@ static void create(void)
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, REACH);
     state.geometry = geometry_create(&state.scene);
-    state.map =
-        shadow_map_create(base_shader_files(&state.base), &state.views, GL_R32F,
-                          GL_NEAREST, "step1_shadowmap/shaders/depth.frag");
+    state.map = shadow_map_create(
+        shadow_map_program(base_shader_files(&state.base), fill), &state.views,
+        GL_R32F, GL_NEAREST);
     state.picture =
         scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }

@@ -35,22 +35,29 @@ void bias_apply(const BiasSettings *settings, GLuint program)
                 (float)settings->slope);
 }
 
-ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
-                            GLenum format, GLenum filter,
-                            const char *fragment_shader)
+Program shadow_map_program(ShaderFiles files, const char *const shaders[])
+{
+    const char *const vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
+    const char *fragment[PROGRAM_MAX_FILES + 1] = {
+        "step1_shadowmap/shaders/light_depth.glsl"};
+    for (int i = 0; shaders[i] != NULL; i++) {
+        fragment[i + 1] = shaders[i];
+    }
+    return gl_program(files, vertex, fragment);
+}
+
+ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
+                            GLenum filter)
 {
     gl_check_size("map-size", views->width, views->height);
-    const char *vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
-    const char *fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
-                              fragment_shader, NULL};
-    ShadowMap map = {.width = views->width,
+    ShadowMap map = {.program = program,
+                     .width = views->width,
                      .height = views->height,
                      .layers = views->layers,
                      .channels = format == GL_R32F ? 1 : 2};
     size_t texels = (size_t)map.width * (size_t)map.height;
     map.bytes = texels * ((size_t)map.layers * gl_texel_bytes(format) +
                           gl_texel_bytes(GL_DEPTH_COMPONENT32F));
-    map.program = gl_program(files, vertex, fragment);
     map.texture =
         gl_texture_array(format, map.width, map.height, map.layers, filter);
     map.depth_buffer = gl_depth_buffer(map.width, map.height);

@@ -30,12 +30,17 @@ typedef struct ShadowMap {
     size_t bytes; // of the texture and the depth buffer
 } ShadowMap;
 
-// A map of the given format, one layer per view, filled by the fragment
-// shader, which writes what the map keeps of light_depth(), t in [0, 1].
-// `filter` says how it is looked up (GL_NEAREST or GL_LINEAR).
-ShadowMap shadow_map_create(ShaderFiles files, const Views *views,
-                            GLenum format, GLenum filter,
-                            const char *fragment_shader);
+// The program that fills a map. Its fragment shader is light_depth.glsl and
+// then these files (NULL at the end; fewer than PROGRAM_MAX_FILES): one with
+// the formula of t, and last one that writes what the map keeps of
+// map_depth(), t in [0, 1].
+Program shadow_map_program(ShaderFiles files, const char *const shaders[]);
+
+// A map of the given format, one layer per view, filled by the program, which
+// it owns from here on. `filter` says how it is looked up (GL_NEAREST or
+// GL_LINEAR).
+ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
+                            GLenum filter);
 
 // Draws the scene into every layer; what nothing covers is at far depth, 1.
 void shadow_map_draw(const ShadowMap *map, const Scene *scene,

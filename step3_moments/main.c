@@ -36,6 +36,7 @@ static void read_settings(int argc, char **argv)
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
     state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     options_parse(argc, argv, state.options);
+    state.base.depth_shader = moments_depth_shader(&state.moments);
     base_settings_check(&state.base);
 }
 

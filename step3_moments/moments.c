@@ -8,6 +8,12 @@ const Option moments_options[] = {
      .offset = offsetof(MomentsSettings, format),
      .choices = "rg32f,rg16f",
      .help = "what the two moments are stored in: 32 or 16 bit floats"},
+    {.name = "depth",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(MomentsSettings, depth),
+     .choices = "linear,projected",
+     .help = "the depth of a spot or point light: its distance, or z / w of "
+             "the view; the same for a directional light"},
     {0},
 };
 
@@ -23,7 +29,14 @@ const ShowMode moments_shows[] = {
 
 MomentsSettings moments_settings(void)
 {
-    return (MomentsSettings){.format = "rg32f"};
+    return (MomentsSettings){.format = "rg32f", .depth = "linear"};
+}
+
+const char *moments_depth_shader(const MomentsSettings *settings)
+{
+    return strcmp(settings->depth, "projected") == 0
+               ? "step3_moments/shaders/projected_depth.glsl"
+               : "step1_shadowmap/shaders/linear_depth.glsl";
 }
 
 GLenum moments_format(const MomentsSettings *settings)
@@ -34,6 +47,8 @@ GLenum moments_format(const MomentsSettings *settings)
 ShadowMap moments_create(ShaderFiles files, const Views *views,
                          const MomentsSettings *settings)
 {
-    return shadow_map_create(files, views, moments_format(settings), GL_LINEAR,
-                             "step3_moments/shaders/moments.frag");
+    const char *const fill[] = {moments_depth_shader(settings),
+                                "step3_moments/shaders/moments.frag", NULL};
+    return shadow_map_create(shadow_map_program(files, fill), views,
+                             moments_format(settings), GL_LINEAR);
 }

@@ -8,6 +8,7 @@
 
 typedef struct MomentsSettings {
     const char *format;
+    const char *depth; // linear or projected
 } MomentsSettings;
 
 extern const Option moments_options[];
@@ -16,6 +17,9 @@ extern const Option moments_options[];
 extern const ShowMode moments_shows[];
 
 MomentsSettings moments_settings(void);
+
+// The shader file with the formula of the depth t, for the map and the picture.
+const char *moments_depth_shader(const MomentsSettings *settings);
 
 // The OpenGL format that the moments are stored in.
 GLenum moments_format(const MomentsSettings *settings);

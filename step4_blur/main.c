@@ -41,6 +41,7 @@ static void read_settings(int argc, char **argv)
     state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     state.options[3] = (OptionTable){blur_options, &state.blur, {false}};
     options_parse(argc, argv, state.options);
+    state.base.depth_shader = moments_depth_shader(&state.moments);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
     base_settings_check(&state.base);
 }

@@ -219,9 +219,17 @@ my %mutants = (
         'map_position.xy / map_position.w', 'map_position.xy'
     ],
     'the depth along an axis' => [
-        'lights', 'step1_shadowmap/shaders/light_depth.glsl',
+        'lights', 'step1_shadowmap/shaders/linear_depth.glsl',
         'length(towards_light(relative_position))',
         'abs(towards_light(relative_position).y)'
+    ],
+    'projected in the map, not divided' => [
+        'moments', 'step3_moments/shaders/projected_depth.glsl',
+        ' / dot(map_row(layer, 3), position)', ''
+    ],
+    'a projected slope without w' => [
+        'moments', 'step3_moments/shaders/projected_depth.glsl',
+        ' - t * along.xyz', ''
     ],
     'light outside the cone' => [
         'lights', 'step1_shadowmap/shaders/scene.frag',

@@ -79,9 +79,9 @@ static Program create_program(const SceneSource *source,
     const ShowMode *mode = base_show_mode(settings);
     const char *fragment[MAX_FILES] = {
         source->surface, "step1_shadowmap/shaders/light_depth.glsl",
-        layer_shader(settings, kind),
+        settings->depth_shader, layer_shader(settings, kind),
         "step1_shadowmap/shaders/map_coordinates.glsl"};
-    int count = 4;
+    int count = 5;
     if (uses_footprint(visibility)) {
         fragment[count++] = source->steps;
     }

@@ -140,6 +140,8 @@ BaseSettings base_settings(const char *program, const ShowMode *more_shows)
                           .output = outputs[program[4] - '1'],
                           .show = "shaded",
                           .splits = 1,
+                          .depth_shader =
+                              "step1_shadowmap/shaders/linear_depth.glsl",
                           .context = "osmesa"};
 }
 

@@ -25,8 +25,9 @@ typedef struct BaseSettings {
     const char *shaders;        // directory, or NULL
     bool window;
     const char *context;
-    int splits; // views of a directional light
-    int bench;  // frames to time, or 0
+    int splits;               // views of a directional light
+    const char *depth_shader; // the formula of t, for map and picture
+    int bench;                // frames to time, or 0
 } BaseSettings;
 
 extern const Option base_options[];

@@ -20,13 +20,6 @@ vec3 map_gradient(Receiver receiver, int axis)
     return (map_axis(layer, axis) - receiver.uv[axis] * row.xyz) / w;
 }
 
-// How t changes with the position, see light_depth().
-vec3 depth_gradient(Receiver receiver)
-{
-    vec3 away = -normalize(towards_light(receiver.relative_position));
-    return depth_from_relative[receiver.layer].xyz + depth_per_distance * away;
-}
-
 // |dt/du| and |dt/dv| on the receiver's plane. A step in that plane that keeps
 // v is across the normal and across v's gradient; what t and u gain by it are
 // in the ratio dt/du. `ray` points along the light's ray, where u and v do not
@@ -36,7 +29,7 @@ vec2 depth_slope(Receiver receiver)
 {
     vec3 u = map_gradient(receiver, 0);
     vec3 v = map_gradient(receiver, 1);
-    vec3 t = depth_gradient(receiver);
+    vec3 t = depth_gradient(receiver.relative_position, receiver.layer);
     vec3 ray = cross(u, v);
     float facing = max(abs(dot(receiver.normal, ray)), 0.02 * length(ray));
     return abs(vec2(dot(t, cross(v, receiver.normal)),

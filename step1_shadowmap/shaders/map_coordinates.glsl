@@ -8,8 +8,6 @@ struct Receiver {
     vec3 relative_position;
 };
 
-uniform mat4 map_from_relative[8];
-
 // Dividing by w makes a perspective of what a spot or point light sees; for a
 // parallel light it is 1.
 Receiver map_coordinates(vec3 relative_position, vec3 normal, int layer)

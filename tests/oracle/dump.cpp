@@ -100,8 +100,10 @@ static Settings settings_of(const json &options, int step)
         settings.poisson = options.at("pattern") == "poisson";
         settings.adaptive = options.at("adaptive").get<bool>();
     }
-    if (step >= 3)
+    if (step >= 3) {
         settings.half = stores_halves(options);
+        settings.projected = options.at("depth") == "projected";
+    }
     if (step >= 4)
         read_blur(options, settings);
     if (step == 5) {
@@ -138,6 +140,8 @@ static Run run_of(const json &root)
     Lamp lamp = lamp_of(root.at("light").get<std::string>());
     for (const json &entry : root.at("views"))
         run.views.push_back(view_of(entry, lamp));
+    for (MapView &view : run.views)
+        view.projected = run.settings.projected && !view.parallel();
     return run;
 }
 

@@ -20,6 +20,8 @@ struct MapView {
     // or point light's Z serves the depth test; t = (|p - position| - near) /
     // (far - near).
     std::array<glm::dvec4, 4> rows;
+    // Where `projected`, t = Z.(p, 1) / W.(p, 1) instead.
+    bool projected;      // --depth projected of a spot or point light
     glm::dvec3 position; // of the light, relative
     double cone;         // half of a spot's angle, radians
     double near, far;  // world units from the plane through the light's anchor,
@@ -46,13 +48,14 @@ enum class Blur { NONE, BOX, GAUSSIAN, BINOMIAL };
 // The settings that a check needs; what a step does not have keeps the value
 // that means "not done".
 struct Settings {
-    double bias = 0;       // of the depth range
-    double slope_bias = 0; // of half a kernel's depth change
-    int kernel = 1;        // texels
-    bool bilinear = false; // each tap of the kernel a mean of 2 x 2 texels
-    bool poisson = false;  // 32 taps in a disc in place of the n x n
-    bool adaptive = false; // the kernel is the widest, pixels choose theirs
-    bool half = false;     // moments are stored as 16-bit floats
+    double bias = 0;        // of the depth range
+    double slope_bias = 0;  // of half a kernel's depth change
+    int kernel = 1;         // texels
+    bool bilinear = false;  // each tap of the kernel a mean of 2 x 2 texels
+    bool poisson = false;   // 32 taps in a disc in place of the n x n
+    bool adaptive = false;  // the kernel is the widest, pixels choose theirs
+    bool projected = false; // --depth
+    bool half = false;      // moments are stored as 16-bit floats
     Blur blur = Blur::NONE;
     int radius = 0;        // texels of the downsampled map
     int downsample = 1;    // map texels per downsampled texel, along an axis

@@ -1,5 +1,6 @@
 #include "tests/oracle/light.h"
 
+#include "tests/oracle/projection.h"
 #include "tests/oracle/rounding.h"
 
 static glm::dvec3 direction(const glm::dvec4 &row)
@@ -23,11 +24,15 @@ glm::dvec3 towards_light(const MapView &view, const glm::dvec3 &point)
     return view.position - point;
 }
 
-double depth_size(const MapView &view, double extent)
+double depth_size(const MapView &view, double extent, double t)
 {
     if (!view.parallel()) {
         double length = std::sqrt(3.0) * extent + glm::length(view.position);
-        return 1 + (length + view.near) / (view.far - view.near);
+        double range = view.far - view.near;
+        if (view.projected) // sums of both rows over w
+            return 1 + (1 + view.far / range) * (length + view.near) /
+                           distance_along_axis(view, t);
+        return 1 + (length + view.near) / range;
     }
     double size = 1 + std::abs(view.rows[2].w);
     for (int i = 0; i < 3; i++)
@@ -165,6 +170,8 @@ static void local_slopes(const Receiver &r, const MapView &view,
     Rounded t = {away / length / range,
                  (rounding_share(2) * sizes / length + rounding_share(8)) /
                      range};
+    if (view.projected)
+        t = gradient(view.rows[2], r.t, view, r.position);
     Rounded u = gradient(view.rows[0], r.u, view, r.position);
     Rounded v = gradient(view.rows[1], r.v, view, r.position);
     Rounded n = {r.normal, 0}, ray = cross(u, v);

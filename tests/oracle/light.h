@@ -13,7 +13,8 @@ glm::dvec3 towards_light(const MapView &view, const glm::dvec3 &point);
 
 // The size of the numbers that a depth t is made of, where coordinates are up
 // to `extent`: the share of it by which 32-bit arithmetic can be off counts.
-double depth_size(const MapView &view, double extent);
+// Of a projected depth: at the stored depth t, 0 being the worst.
+double depth_size(const MapView &view, double extent, double t = 0);
 
 enum class Facing { TOWARDS, AWAY, UNKNOWN };
 

@@ -35,6 +35,8 @@ static Interval depth(const MapView &view, const glm::dvec3 &p)
 {
     if (view.parallel())
         return product(view.rows[2], p);
+    if (view.projected)
+        return projected(view.rows[2], view, p);
     double range = view.far - view.near;
     double distance = glm::distance(p, view.position);
     double sizes = glm::length(p) + glm::length(view.position);

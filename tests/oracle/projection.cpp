@@ -1,5 +1,6 @@
 #include "tests/oracle/projection.h"
 
+#include <cmath>                        // isinf
 #include <glm/gtc/matrix_transform.hpp> // lookAt, perspective
 
 PictureCamera::PictureCamera(const Camera &camera, int width, int height)
@@ -63,4 +64,28 @@ glm::dvec3 point_of_map(const MapView &view, const glm::dvec3 &map)
                        glm::dvec3(view.rows[2]));
     glm::dvec3 shift(view.rows[0].w, view.rows[1].w, view.rows[2].w);
     return glm::inverse(glm::transpose(columns)) * (map - shift);
+}
+
+double stored_depth(const MapView &view, double u, double v, double t)
+{
+    if (!view.projected || std::isinf(t))
+        return t;
+    glm::dvec4 p(point_of_map(view, {u, v, t}), 1);
+    return glm::dot(view.rows[2], p) / glm::dot(view.rows[3], p);
+}
+
+// z / w = far / (far - near) (1 - near / w), solved for w.
+double distance_along_axis(const MapView &view, double stored)
+{
+    return view.near * view.far / (view.far - stored * (view.far - view.near));
+}
+
+double linear_depth(const MapView &view, double u, double v, double stored)
+{
+    if (!view.projected)
+        return stored;
+    double cosine =
+        glm::dot(direction_of_map(view, u, v), glm::dvec3(view.rows[3]));
+    double distance = distance_along_axis(view, stored) / cosine;
+    return (distance - view.near) / (view.far - view.near);
 }

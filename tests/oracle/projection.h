@@ -37,6 +37,16 @@ class PictureCamera
 // u, v and t of a relative point, in double.
 glm::dvec3 map_point(const MapView &view, const glm::dvec3 &relative);
 
+// Above and below t is linear. What the map holds and the receiver compares
+// with where --depth says so: z / w of the point at u, v and t; else t itself.
+double stored_depth(const MapView &view, double u, double v, double t);
+
+// The way back.
+double linear_depth(const MapView &view, double u, double v, double stored);
+
+// W of the point whose stored depth is z / w.
+double distance_along_axis(const MapView &view, double stored);
+
 // The relative point at u, v and t.
 glm::dvec3 point_of_map(const MapView &view, const glm::dvec3 &map);
 

@@ -45,6 +45,20 @@ static bool count_clamped(const MapView &view, const RayScene &rays,
     return true;
 }
 
+// What the texel says as a depth along its ray, which is linear.
+static Measured measured_texel(const Run &run, const MapView &view, int x,
+                               int y, double stored, double extent)
+{
+    double u = (x + 0.5) / view.width, v = (y + 0.5) / view.height;
+    double rounding = rounding_share(16) * depth_size(view, extent, stored) +
+                      store_share(run.settings); // depths are at most 1
+    // The stored depth is a concave function of the distance: a step away from
+    // the light is the longer one.
+    double value = linear_depth(view, u, v, stored);
+    double beyond = linear_depth(view, u, v, stored + rounding);
+    return {value, linear_depth(view, u, v, 1), beyond - value};
+}
+
 void check_ray_depths(const Run &run, const RayScene &rays, double extent,
                       int layer, Report &report)
 {
@@ -54,8 +68,8 @@ void check_ray_depths(const Run &run, const RayScene &rays, double extent,
     double rounding = rounding_share(16) * depth_size(view, extent);
     // A surface may lie exactly in the near plane: start a little before it.
     double start = -std::max(rounding, 1e-6);
-    rounding += store_share(run.settings); // depths are at most 1
     RayComparison count;
+    double worst_rounding = 0;
     for (int y = 0; y < map.height; y++)
         for (int x = 0; x < map.width; x++) {
             RayAt ray_at = [&](double dx, double dy) {
@@ -65,7 +79,11 @@ void check_ray_depths(const Run &run, const RayScene &rays, double extent,
             if (view.split() &&
                 count_clamped(view, rays, ray_at, start, map.at(x, y), count))
                 continue;
-            Measured measured = {map.at(x, y) - start, 1 - start, rounding};
+            Measured measured =
+                measured_texel(run, view, x, y, map.at(x, y), extent);
+            worst_rounding = std::max(worst_rounding, measured.rounding);
+            measured.value -= start;
+            measured.empty -= start;
             compare_with_rays(rays, ray_at, measured, count);
         }
     bool passed =
@@ -73,6 +91,6 @@ void check_ray_depths(const Run &run, const RayScene &rays, double extent,
     report.line(passed, "map depths against rays",
                 "%zu of %zu texels differ, worst of the others %.3g, "
                 "rounding %.3g, at silhouettes %zu (%.3g %%)",
-                count.differs, count.all(), count.worst, rounding,
+                count.differs, count.all(), count.worst, worst_rounding,
                 count.silhouette, 100 * count.silhouette_share());
 }

@@ -45,9 +45,10 @@ static int filter_reach(const Run &run)
 // receiver's plane, SHADOWED where all are nearer than the plane, and than the
 // receiver, by more than the bias. Mixtures, and occluders within the bias, are
 // APART.
-static Truth texels_in_reach(const IdealMap &map, int reach,
-                             const Receiver &receiver, const OwnPlane &plane,
-                             double bias, double rounding)
+static Truth texels_in_reach(const MapView &view, const IdealMap &map,
+                             int reach, const Receiver &receiver,
+                             const OwnPlane &plane, double bias,
+                             double rounding)
 {
     int width = map.width(), height = map.height();
     int centre_x = int(std::floor(receiver.u * width));
@@ -55,8 +56,9 @@ static Truth texels_in_reach(const IdealMap &map, int reach,
     bool lit = true, shadowed = true;
     for (int y = centre_y - reach; y <= centre_y + reach; y++)
         for (int x = centre_x - reach; x <= centre_x + reach; x++) {
-            double own = plane.depth((x + 0.5) / width, (y + 0.5) / height);
-            double depth = map.at(x, y);
+            double u = (x + 0.5) / width, v = (y + 0.5) / height;
+            double own = stored_depth(view, u, v, plane.depth(u, v));
+            double depth = stored_depth(view, u, v, map.at(x, y));
             double nearest = std::min(own, receiver.t);
             lit = lit && depth >= own - rounding;
             shadowed = shadowed && depth < nearest - bias - rounding;
@@ -101,9 +103,10 @@ static Truth truth_of(const RayContext &context, const Receiver &r,
                           settings)
                    .hi;
     // Of the position, as a depth, and of the plane's slope over the reach.
-    double rounding = rounding_share(32) * depth_size(view, context.extent);
-    Truth truth = texels_in_reach(map, filter_reach(context.run), r, plane,
-                                  bias, rounding);
+    double rounding =
+        rounding_share(32) * depth_size(view, context.extent, r.t);
+    Truth truth = texels_in_reach(view, map, filter_reach(context.run), r,
+                                  plane, bias, rounding);
     bool dark = in_shadow(context, r, view, normal);
     bool same = dark ? truth == Truth::SHADOWED : truth == Truth::LIT;
     return same ? truth : Truth::APART;

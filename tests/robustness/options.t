@@ -146,6 +146,13 @@ my %OPTIONS = (
         bad     => [ 'rg8', '' ],
         allowed => qr/rg32f/,
     },
+    depth => {
+        steps   => [ 3 .. 5 ],
+        same    => [qw(linear projected)],    # of a directional light
+        check   => \&check_depth,
+        bad     => [ 'linear,projected', '', 'z' ],
+        allowed => qr/linear,\s?projected/,
+    },
     blur => {
         steps   => [ 4, 5 ],
         differ  => [qw(none gaussian binomial)],
@@ -284,6 +291,17 @@ sub check_format {
       map { draw( $step, @bare, '--format', $_ ) } 'rg32f', 'rg16f';
     ok( $full && $half && $full ne $half,
         "step $step: --format rg16f changes the picture" );
+    return;
+}
+
+# A spot light tells the two depths apart.
+sub check_depth {
+    my ($step) = @_;
+    my ( $linear, $projected ) =
+      map { draw( $step, qw(--scene stage --show mean --depth), $_ ) }
+      qw(linear projected);
+    ok( $linear && $projected && $linear ne $projected,
+        "step $step: --depth projected changes a spot light's picture" );
     return;
 }
 

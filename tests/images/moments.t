@@ -1,0 +1,36 @@
+# What step 3 may store besides a linear depth and its square: --depth.
+use strict;
+use warnings;
+use Test::More;
+use Same;
+use VSM;
+
+my @small = qw(--size 320x180 --map-size 256);
+my @bare  = ( @small, qw(--bleed-reduction 0) );
+my @projected = ( @small, qw(--depth projected) );
+
+sub check_all {
+    my ( $step, @arguments ) = @_;
+    my $dump = dump_run( $step, @arguments );
+    note("step $step @arguments");
+    oracle( $_, $dump ) for qw(files stage matrix rays);
+    return;
+}
+
+# z / w in the map and of the receivers, with the slope bias that belongs to it.
+check_all( $_, @projected, qw(--scene stage) ) for 5, 3;
+oracle( $_, dump_run( 4, @projected, qw(--scene room) ) ) for qw(stage matrix);
+oracle( 'stage', dump_run( 5, @projected, @$_ ) )
+  for [qw(--scene stage --format rg16f --sat)], [qw(--light spot --mips)];
+
+# A directional light has only one depth.
+for my $views ( [], [qw(--scene avenue --splits 2)] ) {
+    same_files(
+        "projected and linear, @$views",
+        ( map { dump_run( 5, @small, @$views, '--depth', $_ ) }
+              qw(linear projected) ),
+        qw(moments.0 receiver visibility)
+    );
+}
+
+done_testing;
