@@ -23,6 +23,25 @@ oracle( $_, dump_run( 4, @projected, qw(--scene room) ) ) for qw(stage matrix);
 oracle( 'stage', dump_run( 5, @projected, @$_ ) )
   for [qw(--scene stage --format rg16f --sat)], [qw(--light spot --mips)];
 
+# Why the default is linear: where every texel under the filter is shadowed by
+# rays, z / w lets more pixels through. Near and far are fitted to the scene,
+# which is the best that can be done for z / w.
+sub bleeding {
+    my ($depth) = @_;
+    my $dump = dump_run( 5, @bare, qw(--scene stage --depth), $depth );
+    my $run = command( root() . '/build/oracle', 'rays', $dump );
+    my ( $bright, $dark ) =
+      $run->{out} =~ /shadowed by rays: (\d+) of (\d+) pixels over/
+      or return 0;
+    return $bright / $dark;
+}
+my %lit = map { $_ => bleeding($_) } qw(linear projected);
+ok(
+    $lit{linear} > 0 && $lit{projected} > 1.2 * $lit{linear},
+    sprintf 'untruly lit: %.3f of the shadow if linear, %.3f if projected',
+    @lit{qw(linear projected)}
+);
+
 # A directional light has only one depth.
 for my $views ( [], [qw(--scene avenue --splits 2)] ) {
     same_files(
