@@ -41,6 +41,7 @@ static void create(void)
     const char *const fill[] = {state.base.depth_shader,
                                 "step1_shadowmap/shaders/depth.frag", NULL};
     static const char *const visibility[] = {
+        "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl",
         "step1_shadowmap/shaders/hard.glsl", NULL};
     base_create_scene(&state.base, &state.scene);

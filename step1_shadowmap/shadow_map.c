@@ -78,6 +78,8 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
     glViewport(0, 0, map->width, map->height);
     glUseProgram(map->program.id);
     view_set_light(map->program.id, views);
+    glUniform2f(glGetUniformLocation(map->program.id, "map_size"),
+                (float)map->width, (float)map->height); // where it is used
     GLint layer_uniform = glGetUniformLocation(map->program.id, "layer");
     for (int layer = 0; layer < map->layers; layer++) {
         glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);

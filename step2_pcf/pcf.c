@@ -51,6 +51,7 @@ void pcf_settings_check(const PcfSettings *settings)
 
 void pcf_shaders(const PcfSettings *settings, const char *files[])
 {
+    *files++ = "step1_shadowmap/shaders/depth_slope.glsl";
     *files++ = "step1_shadowmap/shaders/bias.glsl";
     *files++ = "step2_pcf/shaders/map_depth.glsl";
     if (settings->adaptive) {

@@ -20,7 +20,7 @@ PcfSettings pcf_settings(void);
 // Refuses (status 2) options that contradict each other.
 void pcf_settings_check(const PcfSettings *settings);
 
-enum { PCF_MAX_SHADERS = 8 };
+enum { PCF_MAX_SHADERS = 9 };
 
 // The shader files that define visibility() for these settings, up to
 // PCF_MAX_SHADERS with the NULL at the end.

@@ -36,6 +36,7 @@ static void read_settings(int argc, char **argv)
     state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
     state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     options_parse(argc, argv, state.options);
+    moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
     base_settings_check(&state.base);
 }
@@ -43,6 +44,7 @@ static void read_settings(int argc, char **argv)
 static void create(void)
 {
     static const char *const visibility[] = {
+        "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl",
         "step3_moments/shaders/lookup_bilinear.glsl",
         "step3_moments/shaders/mean.glsl", NULL};

@@ -2,6 +2,8 @@
 
 #include <string.h> // strcmp
 
+#include "step1_shadowmap/base/die.h" // die_usage
+
 const Option moments_options[] = {
     {.name = "format",
      .kind = OPTION_CHOICE,
@@ -14,6 +16,17 @@ const Option moments_options[] = {
      .choices = "linear,projected",
      .help = "the depth of a spot or point light: its distance, or z / w of "
              "the view; the same for a directional light"},
+    {.name = "slope-term",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(MomentsSettings, slope_term),
+     .help = "add to the second moment what the depth's slope across a texel "
+             "makes of it"},
+    {.name = "slope-from",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(MomentsSettings, slope_from),
+     .choices = "plane,derivatives",
+     .help = "with --slope-term: the triangle's plane, or the depth of the "
+             "next fragments"},
     {0},
 };
 
@@ -29,7 +42,18 @@ const ShowMode moments_shows[] = {
 
 MomentsSettings moments_settings(void)
 {
-    return (MomentsSettings){.format = "rg32f", .depth = "linear"};
+    return (MomentsSettings){
+        .format = "rg32f", .depth = "linear", .slope_from = "plane"};
+}
+
+void moments_settings_check(const MomentsSettings *settings,
+                            const OptionTable tables[])
+{
+    if (options_given(tables, "slope-from") && !settings->slope_term) {
+        die_usage("--slope-from %s needs --slope-term: add --slope-term or "
+                  "drop --slope-from",
+                  settings->slope_from);
+    }
 }
 
 const char *moments_depth_shader(const MomentsSettings *settings)
@@ -44,11 +68,51 @@ GLenum moments_format(const MomentsSettings *settings)
     return strcmp(settings->format, "rg16f") == 0 ? GL_RG16F : GL_RG32F;
 }
 
+static Program plain_program(ShaderFiles files, const char *depth)
+{
+    const char *const fill[] = {depth, "step3_moments/shaders/moments.frag",
+                                NULL};
+    return shadow_map_program(files, fill);
+}
+
+static Program derivatives_program(ShaderFiles files, const char *depth)
+{
+    const char *const fill[] = {
+        depth, "step3_moments/shaders/slope_derivatives.glsl",
+        "step3_moments/shaders/moments_slope.frag", NULL};
+    return shadow_map_program(files, fill);
+}
+
+// Only a geometry shader sees a whole triangle.
+static Program plane_program(ShaderFiles files, const char *depth)
+{
+    const char *const vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
+    const char *const geometry[] = {"step3_moments/shaders/triangle_plane.geom",
+                                    NULL};
+    const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
+                                    depth,
+                                    "step1_shadowmap/shaders/depth_slope.glsl",
+                                    "step3_moments/shaders/slope_plane.glsl",
+                                    "step3_moments/shaders/moments_slope.frag",
+                                    NULL};
+    return gl_program_of_triangles(files, vertex, geometry, fragment);
+}
+
+static Program create_program(ShaderFiles files,
+                              const MomentsSettings *settings)
+{
+    const char *depth = moments_depth_shader(settings);
+    if (!settings->slope_term) {
+        return plain_program(files, depth);
+    }
+    return strcmp(settings->slope_from, "plane") == 0
+               ? plane_program(files, depth)
+               : derivatives_program(files, depth);
+}
+
 ShadowMap moments_create(ShaderFiles files, const Views *views,
                          const MomentsSettings *settings)
 {
-    const char *const fill[] = {moments_depth_shader(settings),
-                                "step3_moments/shaders/moments.frag", NULL};
-    return shadow_map_create(shadow_map_program(files, fill), views,
+    return shadow_map_create(create_program(files, settings), views,
                              moments_format(settings), GL_LINEAR);
 }

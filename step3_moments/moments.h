@@ -6,9 +6,13 @@
 #include "step1_shadowmap/base/options.h" // Option
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
 
+#include <stdbool.h>
+
 typedef struct MomentsSettings {
     const char *format;
-    const char *depth; // linear or projected
+    const char *depth;      // linear or projected
+    bool slope_term;        // the depth's slope across a texel goes into M2
+    const char *slope_from; // plane or derivatives
 } MomentsSettings;
 
 extern const Option moments_options[];
@@ -18,13 +22,18 @@ extern const ShowMode moments_shows[];
 
 MomentsSettings moments_settings(void);
 
+// Refuses (status 2) options that contradict each other.
+void moments_settings_check(const MomentsSettings *settings,
+                            const OptionTable tables[]);
+
 // The shader file with the formula of the depth t, for the map and the picture.
 const char *moments_depth_shader(const MomentsSettings *settings);
 
 // The OpenGL format that the moments are stored in.
 GLenum moments_format(const MomentsSettings *settings);
 
-// A shadow map of two channels, M1 = t and M2 = t^2, looked up bilinearly:
+// A shadow map of two channels, M1 = t and M2 = t^2, and with the slope term
+// the variance of t across the texel added to M2. It is looked up bilinearly:
 // unlike depths, moments may be averaged. shadow_map_draw fills it.
 ShadowMap moments_create(ShaderFiles files, const Views *views,
                          const MomentsSettings *settings);

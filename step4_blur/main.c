@@ -41,6 +41,7 @@ static void read_settings(int argc, char **argv)
     state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
     state.options[3] = (OptionTable){blur_options, &state.blur, {false}};
     options_parse(argc, argv, state.options);
+    moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
     base_settings_check(&state.base);
@@ -48,10 +49,11 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
-    const char *visibility[BLUR_MAX_SHADERS + 1] = {
+    const char *visibility[BLUR_MAX_SHADERS + 2] = {
+        "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl"};
     blur_picture_shaders(&state.blur, "step3_moments/shaders/mean.glsl",
-                         &visibility[1]);
+                         &visibility[2]);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));

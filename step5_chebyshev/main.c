@@ -52,6 +52,7 @@ static void read_settings(int argc, char **argv)
     state.options[5] =
         (OptionTable){sat_width_options, &state.sat_width, {false}};
     options_parse(argc, argv, state.options);
+    moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
     blur_settings_check(&state.blur, state.base.map_size, state.options);
     sat_width_check(&state.blur, state.options);

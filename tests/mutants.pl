@@ -244,8 +244,8 @@ my %mutants = (
         '* cone * cone', ''
     ],
     'a slope as if u were linear' => [
-        'lights', 'step1_shadowmap/shaders/bias.glsl',
-        '- receiver.uv[axis] * row.xyz', ''
+        'lights', 'step1_shadowmap/shaders/depth_slope.glsl',
+        '- quotient * map_axis(layer, 3)', ''
     ],
     'a distance that is not squared' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',

@@ -207,18 +207,25 @@ static GLuint build_compute(const Program *program, char *message)
 
 static GLuint build_drawing(const Program *program, char *message)
 {
+    const struct {
+        GLenum type;
+        const char *const *files;
+    } stages[] = {{GL_VERTEX_SHADER, program->vertex},
+                  {GL_FRAGMENT_SHADER, program->fragment},
+                  {GL_GEOMETRY_SHADER, program->geometry}};
+    int count = program->geometry[0] != NULL ? 3 : 2;
     GLuint id = 0;
-    GLuint shaders[2] = {0};
-    shaders[0] =
-        compile(program->where, GL_VERTEX_SHADER, program->vertex, message);
-    if (shaders[0] != 0) {
-        shaders[1] = compile(program->where, GL_FRAGMENT_SHADER,
-                             program->fragment, message);
+    GLuint shaders[3] = {0};
+    bool compiled = true;
+    for (int i = 0; compiled && i < count; i++) {
+        shaders[i] =
+            compile(program->where, stages[i].type, stages[i].files, message);
+        compiled = shaders[i] != 0;
     }
-    if (shaders[1] != 0) {
-        id = link_shaders(2, shaders, program->fragment, message);
+    if (compiled) {
+        id = link_shaders(count, shaders, program->fragment, message);
     }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < count; i++) {
         glDeleteShader(shaders[i]); // the name 0 is ignored
     }
     return id;
@@ -256,6 +263,18 @@ Program gl_program(ShaderFiles where, const char *const vertex[],
 {
     Program program = {.where = where};
     copy_names(vertex, program.vertex);
+    copy_names(fragment, program.fragment);
+    build_or_die(&program);
+    return program;
+}
+
+Program gl_program_of_triangles(ShaderFiles where, const char *const vertex[],
+                                const char *const geometry[],
+                                const char *const fragment[])
+{
+    Program program = {.where = where};
+    copy_names(vertex, program.vertex);
+    copy_names(geometry, program.geometry);
     copy_names(fragment, program.fragment);
     build_or_die(&program);
     return program;

@@ -31,6 +31,7 @@ typedef struct Program {
     ShaderFiles where;
     const char *compute[PROGRAM_MAX_FILES + 1];
     const char *vertex[PROGRAM_MAX_FILES + 1];
+    const char *geometry[PROGRAM_MAX_FILES + 1]; // none: no such stage
     const char *fragment[PROGRAM_MAX_FILES + 1];
 } Program;
 
@@ -46,6 +47,11 @@ bool gl_has_compute(void);
 
 // The same of a compute shader, which is in version 430 core.
 Program gl_compute_program(ShaderFiles where, const char *const files[]);
+
+// The same with a geometry shader between the two.
+Program gl_program_of_triangles(ShaderFiles where, const char *const vertex[],
+                                const char *const geometry[],
+                                const char *const fragment[]);
 
 // Reads the files again. If they compile, the new program takes the old one's
 // place, with all its uniforms at 0; else one line on stderr gives the file and

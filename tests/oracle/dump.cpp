@@ -102,6 +102,8 @@ static Settings settings_of(const json &options, int step)
     }
     if (step >= 3) {
         settings.half = stores_halves(options);
+        settings.slope_term = options.at("slope-term").get<bool>();
+        settings.slope_derivatives = options.at("slope-from") == "derivatives";
         settings.projected = options.at("depth") == "projected";
     }
     if (step >= 4)

@@ -55,7 +55,9 @@ struct Settings {
     bool poisson = false;   // 32 taps in a disc in place of the n x n
     bool adaptive = false;  // the kernel is the widest, pixels choose theirs
     bool projected = false; // --depth
-    bool half = false;      // moments are stored as 16-bit floats
+    bool slope_term = false;
+    bool slope_derivatives = false; // else from the triangle's plane
+    bool half = false;              // moments are stored as 16-bit floats
     Blur blur = Blur::NONE;
     int radius = 0;        // texels of the downsampled map
     int downsample = 1;    // map texels per downsampled texel, along an axis

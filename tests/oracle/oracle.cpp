@@ -60,6 +60,15 @@ static Run load_separable(const std::string &folder)
     return run;
 }
 
+static void run_slopes(const Run &run, Report &report)
+{
+    SceneTable table(run.scene, run.light);
+    RayScene rays(table.scene, run.origin);
+    double extent = scene_extent(table.scene, run.origin);
+    for (size_t layer = 0; layer < run.views.size(); layer++)
+        check_slope(run, rays, extent, int(layer), report);
+}
+
 static void run_stages(const Run &run, Report &report)
 {
     for (size_t layer = 0; layer < run.views.size(); layer++) {
@@ -70,6 +79,8 @@ static void run_stages(const Run &run, Report &report)
         if (run.settings.mips)
             check_mips(run, int(layer), report);
     }
+    if (run.settings.slope_term)
+        run_slopes(run, report);
     if (run.settings.mips || run.settings.adaptive_box || run.settings.adaptive)
         check_footprint(run, report);
     check_visibility(run, report);

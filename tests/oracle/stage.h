@@ -4,6 +4,7 @@
 #define ORACLE_STAGE_H
 
 #include "tests/oracle/dump.h"
+#include "tests/oracle/rays.h"
 #include "tests/oracle/report.h"
 
 // Where the format is that of 16-bit floats, all values are such: 11 bits, or
@@ -14,6 +15,11 @@ void check_stored(const Picture &map, const Settings &settings,
 // moments.L.exr: M2 is the depth squared and rounded once; M1 is the depth,
 // rounded where 16-bit floats store it.
 void check_moments(const Run &run, int layer, Report &report);
+
+// With --slope-term, where the rays around a texel meet one triangle: M2 is the
+// depth squared and the variance of its plane's depth across the texel.
+void check_slope(const Run &run, const RayScene &rays, double extent, int layer,
+                 Report &report);
 
 // blurred.L.exr from moments.L.exr, and its mean.
 void check_blur(const Run &run, int layer, Report &report);
