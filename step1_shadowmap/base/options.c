@@ -181,7 +181,7 @@ static bool read_choice(const Option *option, const char *text,
     size_t length = strlen(text);
     *value = text;
     const char *choice = option->choices;
-    while (choice != NULL && length > 0) {
+    while (choice != NULL && length > 0 && strchr(text, ',') == NULL) {
         if (strncmp(choice, text, length) == 0 &&
             (choice[length] == ',' || choice[length] == '\0')) {
             return true;
