@@ -231,6 +231,27 @@ my %mutants = (
         'moments', 'step3_moments/shaders/projected_depth.glsl',
         ' - t * along.xyz', ''
     ],
+    'a slope of u only' => [
+        'moments', 'step3_moments/shaders/slope_plane.glsl',
+        'dot(per_texel, per_texel)', 'per_texel.x * per_texel.x'
+    ],
+    'the variance of a uniform texel' => [
+        'moments', 'step3_moments/shaders/slope_plane.glsl',
+        '0.25', '(1.0 / 12.0)'
+    ],
+    'a normal from one edge and a corner' => [
+        'moments', 'step3_moments/shaders/triangle_plane.geom',
+        'relative_position[2] - relative_position[0]',
+        'relative_position[2]'
+    ],
+    'a derivative for both axes' => [
+        'moments', 'step3_moments/shaders/slope_derivatives.glsl',
+        'dFdy(light', 'dFdx(light'
+    ],
+    'a slope added without a limit' => [
+        'moments', 'step3_moments/shaders/moments_slope.frag',
+        'min(depth * depth + variance, depth)', 'depth * depth + variance'
+    ],
     'light outside the cone' => [
         'lights', 'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0 && cosine > cone_cosines.x', 'facing > 0.0'

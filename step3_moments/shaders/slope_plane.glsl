@@ -1,8 +1,8 @@
 // --slope-from plane: how the depth changes on the triangle's own plane, per
 // texel: M2 += 1/4 (dz/dx^2 + dz/dy^2). That is the variance of a plane's depth
 // under a Gaussian of standard deviation half a texel. The distance from a spot
-// or point light is not linear in the map, even on a plane: this is its slope in
-// the middle of the texel.
+// or point light is not linear in the map, even on a plane: this is its slope
+// in the middle of the texel.
 
 uniform int layer;
 uniform vec2 map_size;  // texels

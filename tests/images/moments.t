@@ -1,4 +1,5 @@
-# What step 3 may store besides a linear depth and its square: --depth.
+# What step 3 may store besides a linear depth and its square: --depth
+# and --slope-term.
 use strict;
 use warnings;
 use Test::More;
@@ -18,7 +19,9 @@ sub check_all {
 }
 
 # z / w in the map and of the receivers, with the slope bias that belongs to it.
-check_all( $_, @projected, qw(--scene stage) ) for 5, 3;
+check_all( 5, @projected, qw(--scene stage) );
+oracle( $_, dump_run( 3, @projected, qw(--scene stage) ) )
+  for qw(files stage matrix);
 oracle( $_, dump_run( 4, @projected, qw(--scene room) ) ) for qw(stage matrix);
 oracle( 'stage', dump_run( 5, @projected, @$_ ) )
   for [qw(--scene stage --format rg16f --sat)], [qw(--light spot --mips)];
@@ -51,5 +54,33 @@ for my $views ( [], [qw(--scene avenue --splits 2)] ) {
         qw(moments.0 receiver visibility)
     );
 }
+
+# The slope across a texel, of the triangle under it and from the next
+# fragments. Texels on the edges of triangles are left out: one that a triangle
+# does not fill has depths of others in it, which neither form knows.
+for my $options (
+    [ 3, qw(--scene stage) ],
+    [ 3, qw(--scene stage --slope-from derivatives) ],
+    [ 5, qw(--scene stage --depth projected --sat) ],
+    [ 4, qw(--format rg16f --slope-from derivatives --mips) ],
+    [ 3, qw(--scene avenue --splits 2) ],
+    [ 3, '--scene', 'teapot:offset=1000,scale=0.01' ],
+  )
+{
+    my ( $step, @words ) = @$options;
+    oracle( 'stage', dump_run( $step, @small, '--slope-term', @words ) );
+}
+
+# What it is for: between the texels of a slope that is lit up, the map has too
+# little variance, without any filter and minimum. These pixels go black.
+sub too_dark {
+    my $dump = dump_run( 5, @bare, qw(--radius 0 --min-variance 0), @_ );
+    my $run = command( root() . '/build/oracle', 'rays', $dump );
+    my ($dark) = $run->{out} =~ /lit by rays: (\d+) of/;
+    return $dark // -1;
+}
+my ( $without, $with ) = map { too_dark(@$_) } [], ['--slope-term'];
+ok( $without > 20 && $with == 0,
+    "lit pixels under 0.98: $without, with the slope term $with" );
 
 done_testing;

@@ -52,6 +52,19 @@ step2_pcf)
     panel adaptive --scene fence --map-size 2048 --kernel 31 --adaptive
     join "$program/technique_adaptive.png" narrow adaptive
     ;;
+step3_moments)
+    drawn=step5_chebyshev
+    bare='--map-size 256 --radius 0 --min-variance 0 --bleed-reduction 0'
+    # shellcheck disable=SC2086 # a list of words
+    {
+        panel flat --scene teapot:elevation=20 $bare
+        panel slope --scene teapot:elevation=20 $bare --slope-term
+    }
+    join "$program/technique_slope.png" flat slope
+    panel linear --scene stage --show mean
+    panel projected --scene stage --show mean --depth projected
+    join "$program/technique_depth.png" linear projected
+    ;;
 step4_blur)
     drawn=step5_chebyshev
     fence='--scene fence --map-size 2048 --radius'

@@ -153,6 +153,12 @@ my %OPTIONS = (
         bad     => [ 'linear,projected', '', 'z' ],
         allowed => qr/linear,\s?projected/,
     },
+    'slope-term' => { steps => [ 3 .. 5 ], check => \&check_slope_term },
+    'slope-from' => {
+        steps   => [ 3 .. 5 ],
+        bad     => [ 'both', '' ],
+        allowed => qr/plane,\s?derivatives/,
+    },
     blur => {
         steps   => [ 4, 5 ],
         differ  => [qw(none gaussian binomial)],
@@ -302,6 +308,20 @@ sub check_depth {
       qw(linear projected);
     ok( $linear && $projected && $linear ne $projected,
         "step $step: --depth projected changes a spot light's picture" );
+    return;
+}
+
+# The variance of a map that nothing has filtered.
+sub check_slope_term {
+    my ($step) = @_;
+    my @words = ( qw(--show variance), $step > 3 ? qw(--radius 0) : () );
+    my ( $off, $plane, $next ) = map { draw( $step, @words, @$_ ) } [],
+      ['--slope-term'], [qw(--slope-term --slope-from derivatives)];
+    ok( $off && $plane && $next && $off ne $plane && $off ne $next,
+        "step $step: --slope-term changes the variance" );
+    is_refused( $step, [qw(--slope-from plane)],
+        [qr/--slope-from plane needs --slope-term: add.*or drop/],
+        '--slope-from without --slope-term' );
     return;
 }
 
@@ -515,7 +535,8 @@ sub check_help {
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent =
       grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
-      qw(bilinear deferred dump help light list-scenes mips sat shaders window);
+      qw(bilinear deferred dump help light list-scenes mips sat shaders
+      slope-term window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;
