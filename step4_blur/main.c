@@ -74,8 +74,7 @@ static void draw_frame(void)
     state.filtered = blur_apply(&state.filter, &state.map);
     stopwatch_lap(&state.stopwatch, "blur");
     bias_apply(&state.bias, state.picture.program.id);
-    blur_set_lookup(&state.filter, &state.views,
-                    state.picture.program.id);
+    blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");

@@ -90,8 +90,7 @@ static void draw_frame(void)
     stopwatch_lap(&state.stopwatch, "blur");
     chebyshev_apply(&state.chebyshev, moments_format(&state.moments),
                     state.picture.program.id);
-    blur_set_lookup(&state.filter, &state.views,
-                    state.picture.program.id);
+    blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
                   &state.geometry, &state.views, state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");

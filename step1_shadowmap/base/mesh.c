@@ -97,6 +97,22 @@ Mesh mesh_plane(void)
     return mesh;
 }
 
+Mesh mesh_tiles(int side)
+{
+    size_t corners = (size_t)side + 1, tiles = (size_t)side * (size_t)side;
+    Mesh mesh = mesh_allocate(corners * corners, 6 * tiles);
+    const double up[3] = {0, 1, 0};
+    for (int z = 0; z <= side; z++) {
+        for (int x = 0; x <= side; x++) {
+            const double place[3] = {(double)x / side - 0.5, 0,
+                                     (double)z / side - 0.5};
+            mesh_add_vertex(&mesh, place, up);
+        }
+    }
+    mesh_add_grid(&mesh, 0, (size_t)side, (size_t)side, true);
+    return mesh;
+}
+
 Mesh mesh_box(void)
 {
     Mesh mesh = mesh_allocate(6 * 4, 6 * 6);

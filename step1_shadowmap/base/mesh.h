@@ -21,6 +21,11 @@ typedef struct Mesh {
 // A square of side 1 in the plane y = 0, centred at the origin, facing +y.
 Mesh mesh_plane(void);
 
+// The same of side x side smaller squares. A rasteriser's positions inside a
+// triangle are as exact as a float as large as the triangle, so where a large
+// floor has to be flat to the last bits it is laid in tiles.
+Mesh mesh_tiles(int side);
+
 // A cube of side 1 centred at the origin, flat normals (24 vertices).
 Mesh mesh_box(void);
 

@@ -294,7 +294,7 @@ static void build_avenue(Scene *scene, const double values[])
     set_camera(scene, eye, target, 50);
     scene->camera.reach = 130; // past the last column
     set_light(scene, 0.7, -0.6, -0.35);
-    Object *ground = add_floor(scene, add_mesh(scene, mesh_plane()));
+    Object *ground = add_floor(scene, add_mesh(scene, mesh_tiles(30)));
     ground->transform[0][0] = ground->transform[2][2] = 300;
     const Mesh *box = add_mesh(scene, mesh_box());
     const double column[3] = {0.4, 3.2, 0.4};

@@ -65,6 +65,9 @@ is( scalar @still, 4, 'four views' );
 my $moved = 0;
 for my $key ( qw(walk=0.013 walk=0.5 turn=0.1 turn=-7), 'walk=3,turn=20' ) {
     my @views = views_of("avenue:$key");
+    my ( $there, $here ) =
+      map { dump_run( 1, @avenue, '--scene', $_ ) } 'avenue', "avenue:$key";
+    oracle( 'overlap', $there, "other=$here" );
     for my $i ( 0 .. 3 ) {
         my ( $old, $new ) = ( $still[$i], $views[$i] );
         ok( near( $new->{texel} / $old->{texel}, 1, 1e-12 ),

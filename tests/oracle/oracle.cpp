@@ -16,6 +16,7 @@
 #include "tests/oracle/lower.h"
 #include "tests/oracle/matrix.h"
 #include "tests/oracle/mip_levels.h"
+#include "tests/oracle/overlap.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/scene_table.h"
 #include "tests/oracle/serve.h"
@@ -44,6 +45,7 @@ static const char *const USAGE =
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
     "  disc     step 2 --pattern poisson against grid=DIR, a dump of the "
     "grid\n"
+    "  overlap  the same splits' maps under another camera (other=DIR)\n"
     "  compare  A B [max=0] [share=1]: two picture files\n"
     "  serve    SECONDS: answers such words, one line each, separated by "
     "tabs\n";
@@ -162,9 +164,11 @@ static void run_check(const std::string &check, const std::string &folder,
                       const Words &words, Report &report)
 {
     bool bleed = check == "bleed", disc = check == "disc";
-    Arguments arguments(words, bleed  ? Words{"r"}
-                               : disc ? Words{"grid"}
-                                      : Words{});
+    bool overlap = check == "overlap";
+    Arguments arguments(words, bleed     ? Words{"r"}
+                               : disc    ? Words{"grid"}
+                               : overlap ? Words{"other"}
+                                         : Words{});
     Run run = load_run(folder);
     if (check == "files") {
         check_files(run, report);
@@ -181,6 +185,8 @@ static void run_check(const std::string &check, const std::string &folder,
     } else if (check == "edge") {
         check_edge(load_separable(folder), SceneTable(run.scene, run.light),
                    report);
+    } else if (overlap) {
+        check_overlap(run, load_run(arguments.text("other", "")), report);
     } else if (disc) {
         check_disc(run, load_run(arguments.text("grid", "")), report);
     } else if (bleed) {
