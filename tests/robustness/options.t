@@ -535,7 +535,7 @@ sub check_help {
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent =
       grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
-      qw(bilinear deferred dump help light list-scenes mips sat shaders
+      qw(adaptive bilinear deferred dump help light list-scenes mips sat shaders
       slope-term window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
