@@ -324,8 +324,8 @@ my %mutants = (
     ],
     'one level too coarse' => [
         'prefilters', 'step4_blur/shaders/lookup_trilinear.glsl',
-        'log2(max(pixel_ellipse(receiver).longer, 1.0))',
-        'log2(max(2.0 * pixel_ellipse(receiver).longer, 1.0))'
+        'log2(max(pixel_ellipse(receiver, size).longer, 1.0))',
+        'log2(max(2.0 * pixel_ellipse(receiver, size).longer, 1.0))'
     ],
     'levels not blended' => [
         'prefilters', 'step4_blur/shaders/mip_levels.glsl',
@@ -386,7 +386,7 @@ my %mutants = (
     ],
     'a limit on the slope that grazing light passes' => [
         'scenes', 'step1_shadowmap/shaders/bias.glsl',
-        '0.02 * length(ray)', '0.1 * length(ray)'
+        'receiver.layer, 0.02)', 'receiver.layer, 0.1)'
     ],
     'facing away is not dark' => [
         'scenes',          'step1_shadowmap/shaders/scene.frag',
