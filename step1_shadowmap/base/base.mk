@@ -6,6 +6,10 @@ base := \
     step1_shadowmap/base/settings.h step1_shadowmap/base/settings.c \
     step1_shadowmap/base/scene.h step1_shadowmap/base/scene.c \
     step1_shadowmap/base/scene_table.h step1_shadowmap/base/scene_table.c \
+    step1_shadowmap/base/scene_build.h step1_shadowmap/base/scene_build.c \
+    step1_shadowmap/base/scene_daylight.c \
+    step1_shadowmap/base/scene_closed.c \
+    step1_shadowmap/base/scene_lamps.c \
     step1_shadowmap/base/mesh.h step1_shadowmap/base/mesh.c \
     step1_shadowmap/base/teapot.h \
     step1_shadowmap/base/view.h step1_shadowmap/base/view.c \

@@ -6,6 +6,8 @@
 
 #include <math.h> // sqrt
 
+#define RADIANS(degrees) ((degrees)*0.017453292519943295)
+
 static inline double dvec_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

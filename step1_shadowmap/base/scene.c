@@ -5,10 +5,8 @@
 #include <string.h> // memset, strchr, strcmp, strcspn, strncmp
 
 #include "step1_shadowmap/base/die.h"  // die, die_usage
-#include "step1_shadowmap/base/dvec.h" // dvec_dot, dvec_normalize, dvec_subtract
+#include "step1_shadowmap/base/dvec.h" // dvec_dot, dvec_subtract, RADIANS
 #include "step1_shadowmap/base/scene_table.h" // scene_table
-
-#define RADIANS(degrees) ((degrees)*0.017453292519943295)
 
 enum { COMMON_KEYS = 3 };
 
