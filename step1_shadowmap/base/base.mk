@@ -43,6 +43,7 @@ base := \
     step1_shadowmap/shaders/present.frag \
     step1_shadowmap/base/context.h step1_shadowmap/base/context.c \
     step1_shadowmap/base/gl.h step1_shadowmap/base/gl.c \
+    step1_shadowmap/base/gl_program.c \
     step1_shadowmap/base/options.h step1_shadowmap/base/options.c \
     step1_shadowmap/base/stopwatch.h step1_shadowmap/base/stopwatch.c \
     step1_shadowmap/base/dump.h step1_shadowmap/base/dump.c \
