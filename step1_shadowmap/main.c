@@ -30,8 +30,8 @@ static void read_settings(int argc, char **argv)
 {
     state.base = base_settings("step1_shadowmap", NULL);
     state.bias = bias_settings();
-    state.options[0] = (OptionTable){base_options, &state.base, {false}};
-    state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
+    state.options[0] = options_table(base_options, &state.base);
+    state.options[1] = options_table(bias_options, &state.bias);
     options_parse(argc, argv, state.options);
     base_settings_check(&state.base);
 }

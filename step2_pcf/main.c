@@ -30,9 +30,9 @@ static void read_settings(int argc, char **argv)
     state.base = base_settings("step2_pcf", NULL);
     state.bias = bias_settings();
     state.pcf = pcf_settings();
-    state.options[0] = (OptionTable){base_options, &state.base, {false}};
-    state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
-    state.options[2] = (OptionTable){pcf_options, &state.pcf, {false}};
+    state.options[0] = options_table(base_options, &state.base);
+    state.options[1] = options_table(bias_options, &state.bias);
+    state.options[2] = options_table(pcf_options, &state.pcf);
     options_parse(argc, argv, state.options);
     pcf_settings_check(&state.pcf);
     base_settings_check(&state.base);

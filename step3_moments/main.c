@@ -32,9 +32,9 @@ static void read_settings(int argc, char **argv)
     state.base = base_settings("step3_moments", moments_shows);
     state.bias = bias_settings();
     state.moments = moments_settings();
-    state.options[0] = (OptionTable){base_options, &state.base, {false}};
-    state.options[1] = (OptionTable){bias_options, &state.bias, {false}};
-    state.options[2] = (OptionTable){moments_options, &state.moments, {false}};
+    state.options[0] = options_table(base_options, &state.base);
+    state.options[1] = options_table(bias_options, &state.bias);
+    state.options[2] = options_table(moments_options, &state.moments);
     options_parse(argc, argv, state.options);
     moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);

@@ -1,15 +1,5 @@
 #include "step5_chebyshev/deferred.h"
 
-const Option deferred_options[] = {
-    {.name = "deferred",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(DeferredSettings, on),
-     .help =
-         "store what each pixel shows in a G-buffer, then shade every pixel "
-         "once"},
-    {0},
-};
-
 static const SceneSource stored = {
     .vertex = "step1_shadowmap/shaders/fullscreen.vert",
     .surface = "step5_chebyshev/shaders/surface_stored.glsl",
@@ -24,9 +14,9 @@ static const char *const names[DEFERRED_TEXTURES] = {
 // The first of their texture units; those below are the lookup's.
 enum { FIRST_UNIT = 8 };
 
-const SceneSource *deferred_source(const DeferredSettings *settings)
+const SceneSource *deferred_source(bool deferred)
 {
-    return settings->on ? &stored : &scene_source_drawn;
+    return deferred ? &stored : &scene_source_drawn;
 }
 
 static Program create_program(ShaderFiles files, bool footprint)
@@ -60,10 +50,10 @@ static void create_framebuffer(Deferred *deferred, const SceneDraw *picture)
     gl_check_framebuffer("of the G-buffer");
 }
 
-Deferred deferred_create(const DeferredSettings *settings,
-                         const BaseSettings *base, const SceneDraw *picture)
+Deferred deferred_create(bool asked_for, const BaseSettings *base,
+                         const SceneDraw *picture)
 {
-    if (!settings->on) {
+    if (!asked_for) {
         return (Deferred){.count = 0};
     }
     Deferred deferred = {.count = picture->footprint ? 5 : 3};

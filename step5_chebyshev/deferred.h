@@ -3,19 +3,12 @@
 #ifndef STEP5_DEFERRED_H
 #define STEP5_DEFERRED_H
 
-#include "step1_shadowmap/base/options.h"    // Option
 #include "step1_shadowmap/base/scene_draw.h" // SceneDraw
 
 enum { DEFERRED_TEXTURES = 5 };
 
-typedef struct DeferredSettings {
-    bool on;
-} DeferredSettings;
-
-extern const Option deferred_options[];
-
 // Where the shading finds what a pixel shows.
-const SceneSource *deferred_source(const DeferredSettings *settings);
+const SceneSource *deferred_source(bool deferred);
 
 // The G-buffer: position relative to the camera, normal and albedo, and where
 // the picture's lookup needs the footprint the position's two derivatives. All
@@ -31,8 +24,9 @@ typedef struct Deferred {
 } Deferred;
 
 // For a picture made with deferred_source(); shares its depth buffer.
-Deferred deferred_create(const DeferredSettings *settings,
-                         const BaseSettings *base, const SceneDraw *picture);
+// Where it was not asked for, all zero.
+Deferred deferred_create(bool asked_for, const BaseSettings *base,
+                         const SceneDraw *picture);
 
 // As scene_draw; in two passes where it is deferred. The same picture to the
 // last bit where the driver computes both alike.

@@ -12,16 +12,15 @@
 #include "step4_blur/blur.h"                 // blur_apply
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_apply
 #include "step5_chebyshev/deferred.h"        // deferred_draw
-#include "step5_chebyshev/sat_width.h"       // sat_width_shaders
+#include "step5_chebyshev/shading.h"         // shading_shaders
 
 static struct {
     BaseSettings base;
     MomentsSettings moments;
     BlurSettings blur;
     ChebyshevSettings chebyshev;
-    DeferredSettings deferring;
-    SatWidthSettings sat_width;
-    OptionTable options[7];
+    ShadingSettings shading;
+    OptionTable options[6];
     Context context;
     Scene scene;
     Views views;
@@ -41,44 +40,37 @@ static void read_settings(int argc, char **argv)
     state.moments = moments_settings();
     state.blur = blur_settings();
     state.chebyshev = chebyshev_settings();
-    state.options[0] = (OptionTable){base_options, &state.base, {false}};
-    state.options[1] = (OptionTable){moments_options, &state.moments, {false}};
-    state.options[2] = (OptionTable){blur_options, &state.blur, {false}};
-    state.options[3] =
-        (OptionTable){chebyshev_options, &state.chebyshev, {false}};
-    state.options[4] =
-        (OptionTable){deferred_options, &state.deferring, {false}};
-    state.sat_width = sat_width_settings();
-    state.options[5] =
-        (OptionTable){sat_width_options, &state.sat_width, {false}};
+    state.shading = shading_settings();
+    state.options[0] = options_table(base_options, &state.base);
+    state.options[1] = options_table(moments_options, &state.moments);
+    state.options[2] = options_table(blur_options, &state.blur);
+    state.options[3] = options_table(chebyshev_options, &state.chebyshev);
+    state.options[4] = options_table(shading_options, &state.shading);
     options_parse(argc, argv, state.options);
     moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
-    blur_settings_check(&state.blur, state.base.map_size, state.options);
-    sat_width_check(&state.blur, state.options);
+    shading_settings_check(&state.shading, &state.blur, state.base.map_size,
+                           state.options);
     base_settings_check(&state.base);
 }
 
 static void create(void)
 {
-    const char *visibility[SAT_WIDTH_MAX_SHADERS] = {
-        chebyshev_reduction_shader(&state.chebyshev)};
-    blur_picture_shaders(&state.blur, "step5_chebyshev/shaders/chebyshev.glsl",
-                         &visibility[1]);
-    sat_width_shaders(&state.sat_width, visibility);
+    ShaderFiles files = base_shader_files(&state.base);
+    const char *visibility[SHADING_MAX_SHADERS];
+    shading_shaders(&state.shading, &state.blur, &state.chebyshev, visibility);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
-    state.map = moments_create(base_shader_files(&state.base), &state.views,
-                               &state.moments);
-    state.filter = blur_create(base_shader_files(&state.base), &state.blur,
-                               &state.map, moments_format(&state.moments));
+    state.map = moments_create(files, &state.views, &state.moments);
+    state.filter = blur_create(files, &state.blur, &state.map,
+                               moments_format(&state.moments));
     state.picture =
-        scene_draw_create_from(deferred_source(&state.deferring), &state.base,
-                               state.scene.light.kind, visibility);
+        scene_draw_create_from(deferred_source(state.shading.deferred),
+                               &state.base, state.scene.light.kind, visibility);
     state.deferred =
-        deferred_create(&state.deferring, &state.base, &state.picture);
+        deferred_create(state.shading.deferred, &state.base, &state.picture);
 }
 
 static void draw_frame(void)

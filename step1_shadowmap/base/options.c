@@ -257,6 +257,11 @@ static void help_if_asked(int argc, char **argv, const OptionTable tables[])
     }
 }
 
+OptionTable options_table(const Option *options, void *settings)
+{
+    return (OptionTable){.options = options, .settings = settings};
+}
+
 void options_parse(int argc, char **argv, OptionTable tables[])
 {
     KnownOptions known = {0};

@@ -39,6 +39,9 @@ typedef struct OptionTable {
     bool given[OPTIONS_MAX]; // which of them the command line named
 } OptionTable;
 
+// A stage's options and its settings, for the list that main.c joins.
+OptionTable options_table(const Option *options, void *settings);
+
 // Reads the command line into the tables' settings. --help prints every
 // option with its default and unit and exits with 0. An unknown option, a bad
 // value or a left-over argument exits with 2 and one line on stderr. The last
