@@ -51,6 +51,7 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
 {
     gl_check_size("map-size", views->width, views->height);
     ShadowMap map = {.program = program,
+                     .format = format,
                      .width = views->width,
                      .height = views->height,
                      .layers = views->layers,

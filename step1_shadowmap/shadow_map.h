@@ -25,6 +25,7 @@ typedef struct ShadowMap {
     GLuint texture; // 2D array, a layer per view
     GLuint depth_buffer;
     GLuint framebuffers[VIEW_MAX_LAYERS];
+    GLenum format; // of the texture
     int width, height, layers;
     int channels; // of the texture
     size_t bytes; // of the texture and the depth buffer

@@ -67,7 +67,7 @@ static Program create_program(ShaderFiles files, const char *fragment_shader)
 }
 
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const ShadowMap *moments, GLenum format)
+                 const ShadowMap *moments)
 {
     Blur blur = {.factor = settings->downsample,
                  .radius = settings->sat ? 0 : blur_used_radius(settings),
@@ -81,19 +81,19 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
     if (blur.factor > 1 || (settings->mips && blur.radius == 0)) {
         blur.downsample_program =
             create_program(files, "step4_blur/shaders/downsample.frag");
-        blur.small = create_target(&blur, format);
+        blur.small = create_target(&blur, moments->format);
     }
     if (blur.radius > 0) {
         blur.blur_program =
             create_program(files, "step4_blur/shaders/blur.frag");
         blur.weights = create_weights(settings);
-        blur.horizontal = create_target(&blur, format);
-        blur.vertical = create_target(&blur, format);
+        blur.horizontal = create_target(&blur, moments->format);
+        blur.vertical = create_target(&blur, moments->format);
     }
     if (settings->mips) {
         const BlurTarget *last = blur.radius > 0 ? &blur.vertical : &blur.small;
-        blur.mips =
-            mips_create(files, last->texture, format, size, blur.layers);
+        blur.mips = mips_create(files, last->texture, moments->format, size,
+                                blur.layers);
         blur.bytes += blur.mips.bytes;
         if (blur_uses_hardware(settings)) {
             mips_use_sampler(last->texture, settings->anisotropy);

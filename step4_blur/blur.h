@@ -66,7 +66,7 @@ typedef struct Blur {
 } Blur;
 
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const ShadowMap *moments, GLenum format);
+                 const ShadowMap *moments);
 
 // Filters every layer and returns the texture that holds the result: the
 // moments themselves where there is nothing to do.

@@ -49,6 +49,7 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
+    ShaderFiles files = base_shader_files(&state.base);
     const char *visibility[BLUR_MAX_SHADERS + 2] = {
         "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl"};
@@ -58,10 +59,8 @@ static void create(void)
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
-    state.map = moments_create(base_shader_files(&state.base), &state.views,
-                               &state.moments);
-    state.filter = blur_create(base_shader_files(&state.base), &state.blur,
-                               &state.map, moments_format(&state.moments));
+    state.map = moments_create(files, &state.views, &state.moments);
+    state.filter = blur_create(files, &state.blur, &state.map);
     state.picture =
         scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }

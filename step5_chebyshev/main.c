@@ -64,8 +64,7 @@ static void create(void)
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(files, &state.views, &state.moments);
-    state.filter = blur_create(files, &state.blur, &state.map,
-                               moments_format(&state.moments));
+    state.filter = blur_create(files, &state.blur, &state.map);
     state.picture =
         scene_draw_create_from(deferred_source(state.shading.deferred),
                                &state.base, state.scene.light.kind, visibility);
@@ -80,7 +79,7 @@ static void draw_frame(void)
     stopwatch_lap(&state.stopwatch, "moments");
     state.filtered = blur_apply(&state.filter, &state.map);
     stopwatch_lap(&state.stopwatch, "blur");
-    chebyshev_apply(&state.chebyshev, moments_format(&state.moments),
+    chebyshev_apply(&state.chebyshev, state.map.format,
                     state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
