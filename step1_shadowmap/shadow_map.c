@@ -87,7 +87,8 @@ void shadow_map_draw(const ShadowMap *map, const Scene *scene,
         glClearBufferfv(GL_COLOR, 0, far_depth);
         glClearBufferfv(GL_DEPTH, 0, far_depth);
         glUniform1i(layer_uniform, layer);
-        geometry_draw(geometry, scene, views->origin, map->program.id);
+        geometry_draw(geometry, scene, &views->light[layer].seen, views->origin,
+                      map->program.id);
     }
     glDisable(GL_DEPTH_CLAMP);
 }

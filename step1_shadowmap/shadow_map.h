@@ -43,7 +43,8 @@ Program shadow_map_program(ShaderFiles files, const char *const shaders[]);
 ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
                             GLenum filter);
 
-// Draws the scene into every layer; what nothing covers is at far depth, 1.
+// Draws what each view sees into its layer; what nothing covers is at far
+// depth, 1.
 void shadow_map_draw(const ShadowMap *map, const Scene *scene,
                      const Geometry *geometry, const Views *views);
 

@@ -72,7 +72,8 @@ static void fill(const Deferred *deferred, const Scene *scene,
     glUseProgram(deferred->program.id);
     view_set_matrix(deferred->program.id, "clip_from_relative",
                     views->clip_from_relative);
-    geometry_draw(geometry, scene, views->origin, deferred->program.id);
+    geometry_draw(geometry, scene, &views->seen, views->origin,
+                  deferred->program.id);
 }
 
 // A triangle at far depth passes where something nearer was drawn: elsewhere
@@ -103,7 +104,8 @@ void deferred_draw(const Deferred *deferred, const SceneDraw *picture,
 {
     scene_draw_begin(picture, scene, views, map);
     if (deferred->program.id == 0) {
-        geometry_draw(geometry, scene, views->origin, picture->program.id);
+        geometry_draw(geometry, scene, &views->seen, views->origin,
+                      picture->program.id);
     } else {
         fill(deferred, scene, geometry, views);
         shade(deferred, picture);

@@ -78,10 +78,10 @@ static void set_object_uniforms(const Object *object, const double origin[3],
 }
 
 void geometry_draw(const Geometry *geometry, const Scene *scene,
-                   const double origin[3], GLuint program)
+                   const DrawList *list, const double origin[3], GLuint program)
 {
-    for (int i = 0; i < scene->object_count; i++) {
-        const Object *object = &scene->objects[i];
+    for (int i = 0; i < list->count; i++) {
+        const Object *object = &scene->objects[list->objects[i]];
         set_object_uniforms(object, origin, program);
         glBindVertexArray(geometry->vao[object->mesh - scene->meshes]);
         glDrawElements(GL_TRIANGLES, (GLsizei)object->mesh->index_count,

@@ -65,6 +65,14 @@ static void fit_light(Views *views, const Scene *scene, double aspect,
     }
 }
 
+static void list_objects(Views *views, const Scene *scene)
+{
+    draw_list_all(&views->seen, scene);
+    for (int layer = 0; layer < views->layers; layer++) {
+        draw_list_all(&views->light[layer].seen, scene);
+    }
+}
+
 void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
                int reach)
 {
@@ -77,6 +85,7 @@ void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
     int side = least(views->width, views->height);
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
     fit_light(views, scene, aspect, settings->splits);
+    list_objects(views, scene);
 }
 
 void view_set_matrix(GLuint program, const char *name,

@@ -7,8 +7,9 @@
 
 #include <glad/gl.h>
 
-#include "step1_shadowmap/base/scene.h"    // Scene
-#include "step1_shadowmap/base/settings.h" // BaseSettings
+#include "step1_shadowmap/base/draw_list.h" // DrawList
+#include "step1_shadowmap/base/scene.h"     // Scene
+#include "step1_shadowmap/base/settings.h"  // BaseSettings
 
 enum { VIEW_MAX_LAYERS = SETTINGS_MAX_SPLITS }; // more than a point's 6
 
@@ -29,11 +30,13 @@ typedef struct LightView {
     // Of a split: the view depth where it ends, and where it begins to hand
     // over to the next one, world units. 0 where there are no splits.
     double handover, end;
+    DrawList seen; // what is drawn into the layer
 } LightView;
 
 typedef struct Views {
     double origin[3]; // the camera's position, world space
     double clip_from_relative[4][4];
+    DrawList seen; // what is drawn into the picture
     // Relative to the origin, and 1; of a parallel light the unit vector
     // towards it, and 0.
     double light_position[4];

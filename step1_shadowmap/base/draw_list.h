@@ -1,0 +1,17 @@
+// Which objects a pass draws: what its view does not see is not on its list.
+#ifndef BASE_DRAW_LIST_H
+#define BASE_DRAW_LIST_H
+
+#include "step1_shadowmap/base/scene.h" // Scene
+
+// Places in the scene's list of objects, in the same order: where two surfaces
+// are equally far, the first one drawn is the one that shows.
+typedef struct DrawList {
+    int objects[SCENE_MAX_OBJECTS];
+    int count;
+} DrawList;
+
+// Every object of the scene.
+void draw_list_all(DrawList *list, const Scene *scene);
+
+#endif
