@@ -69,28 +69,34 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
     return map;
 }
 
-void shadow_map_draw(const ShadowMap *map, const Scene *scene,
-                     const Geometry *geometry, const Views *views)
+void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
+                           const Geometry *geometry, const Views *views)
 {
     static const float far_depth[4] = {1, 1, 1, 1};
+    GLuint program = map->program.id;
     glEnable(GL_DEPTH_TEST);
     // What is before the near plane of a split still casts into it.
     glEnable(GL_DEPTH_CLAMP);
     glViewport(0, 0, map->width, map->height);
-    glUseProgram(map->program.id);
-    view_set_light(map->program.id, views);
-    glUniform2f(glGetUniformLocation(map->program.id, "map_size"),
-                (float)map->width, (float)map->height); // where it is used
-    GLint layer_uniform = glGetUniformLocation(map->program.id, "layer");
+    glUseProgram(program);
+    view_set_light(program, views);
+    glUniform2f(glGetUniformLocation(program, "map_size"), (float)map->width,
+                (float)map->height); // where it is used
+    glUniform1i(glGetUniformLocation(program, "layer"), layer);
+    glClearBufferfv(GL_COLOR, 0, far_depth);
+    glClearBufferfv(GL_DEPTH, 0, far_depth);
+    geometry_draw(geometry, scene, &views->light[layer].seen, views->origin,
+                  program);
+    glDisable(GL_DEPTH_CLAMP);
+}
+
+void shadow_map_draw(const ShadowMap *map, const Scene *scene,
+                     const Geometry *geometry, const Views *views)
+{
     for (int layer = 0; layer < map->layers; layer++) {
         glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
-        glClearBufferfv(GL_COLOR, 0, far_depth);
-        glClearBufferfv(GL_DEPTH, 0, far_depth);
-        glUniform1i(layer_uniform, layer);
-        geometry_draw(geometry, scene, &views->light[layer].seen, views->origin,
-                      map->program.id);
+        shadow_map_draw_layer(map, layer, scene, geometry, views);
     }
-    glDisable(GL_DEPTH_CLAMP);
 }
 
 void shadow_map_dump(const ShadowMap *map, const char *name,

@@ -48,6 +48,10 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
 void shadow_map_draw(const ShadowMap *map, const Scene *scene,
                      const Geometry *geometry, const Views *views);
 
+// The same of one layer, into whatever framebuffer is bound.
+void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
+                           const Geometry *geometry, const Views *views);
+
 // Writes layer L as directory/name.L.exr.
 void shadow_map_dump(const ShadowMap *map, const char *name,
                      const char *directory);
