@@ -55,7 +55,8 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
                      .width = views->width,
                      .height = views->height,
                      .layers = views->layers,
-                     .channels = format == GL_R32F ? 1 : 2};
+                     .channels = format == GL_R32F ? 1 : 2,
+                     .far = {1, 1, 1, 1}};
     size_t texels = (size_t)map.width * (size_t)map.height;
     map.bytes = texels * ((size_t)map.layers * gl_texel_bytes(format) +
                           gl_texel_bytes(GL_DEPTH_COMPONENT32F));
@@ -72,7 +73,7 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
 void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
                            const Geometry *geometry, const Views *views)
 {
-    static const float far_depth[4] = {1, 1, 1, 1};
+    static const float far_depth = 1;
     GLuint program = map->program.id;
     glEnable(GL_DEPTH_TEST);
     // What is before the near plane of a split still casts into it.
@@ -83,8 +84,8 @@ void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
     glUniform2f(glGetUniformLocation(program, "map_size"), (float)map->width,
                 (float)map->height); // where it is used
     glUniform1i(glGetUniformLocation(program, "layer"), layer);
-    glClearBufferfv(GL_COLOR, 0, far_depth);
-    glClearBufferfv(GL_DEPTH, 0, far_depth);
+    glClearBufferfv(GL_COLOR, 0, map->far);
+    glClearBufferfv(GL_DEPTH, 0, &far_depth);
     geometry_draw(geometry, scene, &views->light[layer].seen, views->origin,
                   program);
     glDisable(GL_DEPTH_CLAMP);

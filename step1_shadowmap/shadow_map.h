@@ -28,6 +28,7 @@ typedef struct ShadowMap {
     GLenum format; // of the texture
     int width, height, layers;
     int channels; // of the texture
+    float far[4]; // a texel that nothing covers
     size_t bytes; // of the texture and the depth buffer
 } ShadowMap;
 

@@ -43,11 +43,14 @@ static void read_settings(int argc, char **argv)
 
 static void create(void)
 {
-    static const char *const visibility[] = {
+    const char *const visibility[] = {
         "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl",
+        moments_merge_shader(&state.moments),
+        moments_between_shader(&state.moments),
         "step3_moments/shaders/lookup_bilinear.glsl",
-        "step3_moments/shaders/mean.glsl", NULL};
+        "step3_moments/shaders/mean.glsl",
+        NULL};
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, REACH);

@@ -10,6 +10,7 @@
 
 typedef struct MomentsSettings {
     const char *format;
+    const char *moments;    // raw or central
     const char *depth;      // linear or projected
     bool slope_term;        // the depth's slope across a texel goes into M2
     const char *slope_from; // plane or derivatives
@@ -29,12 +30,24 @@ void moments_settings_check(const MomentsSettings *settings,
 // The shader file with the formula of the depth t, for the map and the picture.
 const char *moments_depth_shader(const MomentsSettings *settings);
 
+// Whether texels hold mean and variance, and not M1 and M2.
+bool moments_are_central(const MomentsSettings *settings);
+
+// The shader files that know what a texel holds: how moments are averaged
+// (struct Merge, far_moments, moments_of, variance_of), what a texel keeps of
+// them (stored) and what is between texels (moments_between). The last two
+// come after the first.
+const char *moments_merge_shader(const MomentsSettings *settings);
+const char *moments_store_shader(const MomentsSettings *settings);
+const char *moments_between_shader(const MomentsSettings *settings);
+
 // The OpenGL format that the moments are stored in.
 GLenum moments_format(const MomentsSettings *settings);
 
-// A shadow map of two channels, M1 = t and M2 = t^2, and with the slope term
-// the variance of t across the texel added to M2. It is looked up bilinearly:
-// unlike depths, moments may be averaged. shadow_map_draw fills it.
+// A shadow map of two channels, M1 = t and M2 = t^2 or (central) t and 0, and
+// with the slope term the variance of t across the texel added to the second.
+// It is looked up bilinearly: unlike depths, moments may be averaged.
+// shadow_map_draw fills it.
 ShadowMap moments_create(ShaderFiles files, const Views *views,
                          const MomentsSettings *settings);
 

@@ -46,6 +46,17 @@ void blur_weights(const char *name, int radius, float weights[])
     }
 }
 
+// The program of a pass that averages texels.
+static Program merge_program(ShaderFiles files, const MomentsSettings *moments,
+                             const char *pass)
+{
+    const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
+    const char *fragment[] = {moments_merge_shader(moments),
+                              moments_store_shader(moments),
+                              "step4_blur/shaders/map_texel.glsl", pass, NULL};
+    return gl_program(files, vertex, fragment);
+}
+
 static GLuint create_weights(const BlurSettings *settings)
 {
     int width = 2 * settings->radius + 1;
@@ -58,42 +69,35 @@ static GLuint create_weights(const BlurSettings *settings)
     return texture;
 }
 
-static Program create_program(ShaderFiles files, const char *fragment_shader)
-{
-    const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
-    const char *fragment[] = {"step4_blur/shaders/map_texel.glsl",
-                              fragment_shader, NULL};
-    return gl_program(files, vertex, fragment);
-}
-
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const ShadowMap *moments)
+                 const MomentsSettings *moments, const ShadowMap *map)
 {
     Blur blur = {.factor = settings->downsample,
                  .radius = settings->sat ? 0 : blur_used_radius(settings),
                  .anisotropy = settings->anisotropy,
-                 .width = moments->width / settings->downsample,
-                 .height = moments->height / settings->downsample,
-                 .layers = moments->layers};
+                 .width = map->width / settings->downsample,
+                 .height = map->height / settings->downsample,
+                 .layers = map->layers};
     const int size[2] = {blur.width, blur.height};
     glGenVertexArrays(1, &blur.empty_vao);
     // A chain needs a texture of its own, and the moments' is not ours.
     if (blur.factor > 1 || (settings->mips && blur.radius == 0)) {
         blur.downsample_program =
-            create_program(files, "step4_blur/shaders/downsample.frag");
-        blur.small = create_target(&blur, moments->format);
+            merge_program(files, moments, "step4_blur/shaders/downsample.frag");
+        blur.small = create_target(&blur, map->format);
     }
     if (blur.radius > 0) {
         blur.blur_program =
-            create_program(files, "step4_blur/shaders/blur.frag");
+            merge_program(files, moments, "step4_blur/shaders/blur.frag");
         blur.weights = create_weights(settings);
-        blur.horizontal = create_target(&blur, moments->format);
-        blur.vertical = create_target(&blur, moments->format);
+        blur.horizontal = create_target(&blur, map->format);
+        blur.vertical = create_target(&blur, map->format);
     }
     if (settings->mips) {
         const BlurTarget *last = blur.radius > 0 ? &blur.vertical : &blur.small;
-        blur.mips = mips_create(files, last->texture, moments->format, size,
-                                blur.layers);
+        blur.mips = mips_create(
+            merge_program(files, moments, "step4_blur/shaders/mips.frag"),
+            last->texture, map->format, size, blur.layers);
         blur.bytes += blur.mips.bytes;
         if (blur_uses_hardware(settings)) {
             mips_use_sampler(last->texture, settings->anisotropy);

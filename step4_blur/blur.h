@@ -4,6 +4,7 @@
 
 #include "step1_shadowmap/base/options.h" // Option
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
+#include "step3_moments/moments.h"        // MomentsSettings
 #include "step4_blur/mips.h"              // Mips
 #include "step4_blur/sat.h"               // Sat
 
@@ -34,10 +35,11 @@ int blur_used_radius(const BlurSettings *settings);
 // Whether the texture unit chooses and blends the levels.
 bool blur_uses_hardware(const BlurSettings *settings);
 
-// Refuses (status 2) options that contradict each other, a radius that
-// contradicts the kernel or is wider than the map, and a factor that does not
-// divide the map.
-void blur_settings_check(const BlurSettings *settings, const int map_size[2],
+// Refuses (status 2) options that contradict each other or the moments, a
+// radius that contradicts the kernel or is wider than the map, and a factor
+// that does not divide the map.
+void blur_settings_check(const BlurSettings *settings,
+                         const MomentsSettings *moments, const int map_size[2],
                          const OptionTable tables[]);
 
 // How many texels of the full map one filtered lookup reads to each side.
@@ -65,14 +67,15 @@ typedef struct Blur {
     size_t bytes;              // of the textures that the filter needs
 } Blur;
 
+// For a map that was created with these settings of its moments.
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const ShadowMap *moments);
+                 const MomentsSettings *moments, const ShadowMap *map);
 
 // Filters every layer and returns the texture that holds the result: the
 // moments themselves where there is nothing to do.
 GLuint blur_apply(const Blur *blur, const ShadowMap *moments);
 
-enum { BLUR_MAX_SHADERS = 6 };
+enum { BLUR_MAX_SHADERS = 8 };
 
 // The one of them that looks up a table's box.
 extern const char blur_sat_lookup[];
@@ -80,8 +83,9 @@ extern const char blur_sat_lookup[];
 // The shader files of a picture that looks the result up: those that define
 // vec2 moments_at(Receiver), then `visibility`, which uses it, then NULL. What
 // was not asked for is not among them. Up to BLUR_MAX_SHADERS with the NULL.
-void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
-                          const char *files[]);
+void blur_picture_shaders(const BlurSettings *settings,
+                          const MomentsSettings *moments,
+                          const char *visibility, const char *files[]);
 
 // Sets the uniforms of these files.
 void blur_set_lookup(const Blur *blur, const Views *views, GLuint program);

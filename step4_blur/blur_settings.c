@@ -112,7 +112,22 @@ static void check_lookup(const BlurSettings *settings, const int map_size[2],
     }
 }
 
-void blur_settings_check(const BlurSettings *settings, const int map_size[2],
+// Variances are no sums and no weighted means of variances.
+static void check_moments(const BlurSettings *settings,
+                          const MomentsSettings *moments)
+{
+    if (moments_are_central(moments) && settings->sat) {
+        die_usage("--sat sums moments, and --moments central are no sums: "
+                  "drop one of them");
+    }
+    if (moments_are_central(moments) && blur_uses_hardware(settings)) {
+        die_usage("--sampler hardware averages both channels, and the variance "
+                  "of --moments central is no average: drop one of them");
+    }
+}
+
+void blur_settings_check(const BlurSettings *settings,
+                         const MomentsSettings *moments, const int map_size[2],
                          const OptionTable tables[])
 {
     if (blur_used_radius(settings) == 0 && settings->radius > 0 &&
@@ -140,6 +155,7 @@ void blur_settings_check(const BlurSettings *settings, const int map_size[2],
         }
     }
     check_lookup(settings, map_size, tables);
+    check_moments(settings, moments);
 }
 
 int blur_reach(const BlurSettings *settings)

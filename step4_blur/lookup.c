@@ -32,10 +32,15 @@ static const char *const *lookup(const BlurSettings *settings)
     return settings->sat ? box : bilinear;
 }
 
-void blur_picture_shaders(const BlurSettings *settings, const char *visibility,
-                          const char *files[])
+void blur_picture_shaders(const BlurSettings *settings,
+                          const MomentsSettings *moments,
+                          const char *visibility, const char *files[])
 {
     const char *const *from = lookup(settings);
+    *files++ = moments_merge_shader(moments);
+    if (!settings->sat && !blur_uses_hardware(settings)) {
+        *files++ = moments_between_shader(moments);
+    }
     while (*from != NULL) {
         *files++ = *from++;
     }

@@ -43,7 +43,8 @@ static void read_settings(int argc, char **argv)
     options_parse(argc, argv, state.options);
     moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
-    blur_settings_check(&state.blur, state.base.map_size, state.options);
+    blur_settings_check(&state.blur, &state.moments, state.base.map_size,
+                        state.options);
     base_settings_check(&state.base);
 }
 
@@ -53,14 +54,14 @@ static void create(void)
     const char *visibility[BLUR_MAX_SHADERS + 2] = {
         "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl"};
-    blur_picture_shaders(&state.blur, "step3_moments/shaders/mean.glsl",
-                         &visibility[2]);
+    blur_picture_shaders(&state.blur, &state.moments,
+                         "step3_moments/shaders/mean.glsl", &visibility[2]);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(files, &state.views, &state.moments);
-    state.filter = blur_create(files, &state.blur, &state.map);
+    state.filter = blur_create(files, &state.blur, &state.moments, &state.map);
     state.picture =
         scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }

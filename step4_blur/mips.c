@@ -30,16 +30,13 @@ static void limit_levels(int first, int last)
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, last);
 }
 
-Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
+Mips mips_create(Program program, GLuint texture, GLenum format,
                  const int size[2], int layers)
 {
-    static const char *const vertex[] = {
-        "step1_shadowmap/shaders/fullscreen.vert", NULL};
-    static const char *const fragment[] = {"step4_blur/shaders/map_texel.glsl",
-                                           "step4_blur/shaders/mips.frag",
-                                           NULL};
-    Mips mips = {.width = size[0], .height = size[1], .layers = layers};
-    mips.program = gl_program(files, vertex, fragment);
+    Mips mips = {.program = program,
+                 .width = size[0],
+                 .height = size[1],
+                 .layers = layers};
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     add_levels(&mips, format);
     // The lookup blends the levels itself.

@@ -19,8 +19,9 @@ typedef struct Mips {
 
 // Adds the levels to an array texture. Each is half as wide and high as the
 // one before; the last is the one that cannot be halved without a rest, for a
-// texel that began elsewhere than two finer ones would shift the shadows.
-Mips mips_create(ShaderFiles files, GLuint texture, GLenum format,
+// texel that began elsewhere than two finer ones would shift the shadows. The
+// program (of mips.frag) is the chain's from here on.
+Mips mips_create(Program program, GLuint texture, GLenum format,
                  const int size[2], int layers);
 
 // From here on the texture unit blends two levels by itself, with up to

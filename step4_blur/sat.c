@@ -32,11 +32,9 @@ static GLuint count_steps(int box_width)
     return steps;
 }
 
-static Program create_program(ShaderFiles files, const char *first,
-                              const char *second, const char *third)
+static Program create_program(ShaderFiles files, const char *const fragment[])
 {
     const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
-    const char *fragment[] = {first, second, third, NULL};
     return gl_program(files, vertex, fragment);
 }
 
@@ -50,12 +48,14 @@ static void add_table(Sat *sat, int i)
 // Recursive doubling reads one table while it draws the other.
 static void create_fragments(Sat *sat)
 {
-    sat->start_program =
-        create_program(sat->files, "step4_blur/shaders/map_texel.glsl",
-                       "step4_blur/shaders/sat_steps.glsl",
-                       "step4_blur/shaders/sat_start.frag");
-    sat->sum_program = create_program(
-        sat->files, "step4_blur/shaders/sat_sum.frag", NULL, NULL);
+    static const char *const start[] = {"step3_moments/shaders/merge_raw.glsl",
+                                        "step4_blur/shaders/map_texel.glsl",
+                                        "step4_blur/shaders/sat_steps.glsl",
+                                        "step4_blur/shaders/sat_start.frag",
+                                        NULL};
+    static const char *const sum[] = {"step4_blur/shaders/sat_sum.frag", NULL};
+    sat->start_program = create_program(sat->files, start);
+    sat->sum_program = create_program(sat->files, sum);
     add_table(sat, 1);
     for (int i = 0; i < 2; i++) {
         for (int layer = 0; layer < sat->layers; layer++) {
@@ -148,9 +148,10 @@ void sat_dump(const Sat *sat, GLuint table, GLuint empty_vao,
 {
     GLuint boxes = gl_texture_array(GL_RG32F, sat->width, sat->height,
                                     sat->layers, GL_NEAREST);
-    Program program =
-        create_program(sat->files, "step4_blur/shaders/sat_box.glsl",
-                       "step4_blur/shaders/sat_dump.frag", NULL);
+    static const char *const boxed[] = {"step4_blur/shaders/sat_box.glsl",
+                                        "step4_blur/shaders/sat_dump.frag",
+                                        NULL};
+    Program program = create_program(sat->files, boxed);
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, sat->width, sat->height);
     glUseProgram(program.id);

@@ -5,7 +5,8 @@ enum { GROUP = 64 };
 
 SatCompute sat_compute_create(ShaderFiles files)
 {
-    static const char *const rows[] = {"step4_blur/shaders/map_texel.glsl",
+    static const char *const rows[] = {"step3_moments/shaders/merge_raw.glsl",
+                                       "step4_blur/shaders/map_texel.glsl",
                                        "step4_blur/shaders/sat_steps.glsl",
                                        "step4_blur/shaders/sat_rows.comp",
                                        NULL};

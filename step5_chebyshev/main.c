@@ -49,8 +49,8 @@ static void read_settings(int argc, char **argv)
     options_parse(argc, argv, state.options);
     moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
-    shading_settings_check(&state.shading, &state.blur, state.base.map_size,
-                           state.options);
+    shading_settings_check(&state.shading, &state.blur, &state.moments,
+                           state.base.map_size, state.options);
     base_settings_check(&state.base);
 }
 
@@ -58,13 +58,14 @@ static void create(void)
 {
     ShaderFiles files = base_shader_files(&state.base);
     const char *visibility[SHADING_MAX_SHADERS];
-    shading_shaders(&state.shading, &state.blur, &state.chebyshev, visibility);
+    shading_shaders(&state.shading, &state.blur, &state.moments,
+                    &state.chebyshev, visibility);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
     state.map = moments_create(files, &state.views, &state.moments);
-    state.filter = blur_create(files, &state.blur, &state.map);
+    state.filter = blur_create(files, &state.blur, &state.moments, &state.map);
     state.picture =
         scene_draw_create_from(deferred_source(state.shading.deferred),
                                &state.base, state.scene.light.kind, visibility);

@@ -28,10 +28,11 @@ ShadingSettings shading_settings(void)
 }
 
 void shading_settings_check(const ShadingSettings *settings,
-                            const BlurSettings *blur, const int map_size[2],
-                            const OptionTable tables[])
+                            const BlurSettings *blur,
+                            const MomentsSettings *moments,
+                            const int map_size[2], const OptionTable tables[])
 {
-    blur_settings_check(blur, map_size, tables);
+    blur_settings_check(blur, moments, map_size, tables);
     if (options_given(tables, "sat-width") && !blur->sat) {
         die_usage("--sat-width %s is of a summed-area table's box: add --sat "
                   "or drop --sat-width",
@@ -56,11 +57,12 @@ static void adapt_box(const char *files[])
 }
 
 void shading_shaders(const ShadingSettings *settings, const BlurSettings *blur,
+                     const MomentsSettings *moments,
                      const ChebyshevSettings *chebyshev, const char *files[])
 {
     files[0] = chebyshev_reduction_shader(chebyshev);
-    blur_picture_shaders(blur, "step5_chebyshev/shaders/chebyshev.glsl",
-                         &files[1]);
+    blur_picture_shaders(blur, moments,
+                         "step5_chebyshev/shaders/chebyshev.glsl", &files[1]);
     if (strcmp(settings->sat_width, "adaptive") == 0) {
         adapt_box(files);
     }

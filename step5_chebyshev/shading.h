@@ -18,14 +18,16 @@ ShadingSettings shading_settings(void);
 // Refuses (status 2) what blur_settings_check does, and what contradicts the
 // filter that is left.
 void shading_settings_check(const ShadingSettings *settings,
-                            const BlurSettings *blur, const int map_size[2],
-                            const OptionTable tables[]);
+                            const BlurSettings *blur,
+                            const MomentsSettings *moments,
+                            const int map_size[2], const OptionTable tables[]);
 
 enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 2 };
 
 // The shader files that define visibility() for these settings, up to
 // SHADING_MAX_SHADERS with the NULL at the end.
 void shading_shaders(const ShadingSettings *settings, const BlurSettings *blur,
+                     const MomentsSettings *moments,
                      const ChebyshevSettings *chebyshev, const char *files[]);
 
 #endif

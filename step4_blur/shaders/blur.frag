@@ -10,9 +10,10 @@ layout(location = 0) out vec2 moments;
 void main()
 {
     ivec2 middle = ivec2(gl_FragCoord.xy);
-    moments = vec2(0.0);
+    Merge merge = merge_about(map_texel(middle));
     for (int i = -radius; i <= radius; i++) {
         float weight = texelFetch(weights, ivec2(i + radius, 0), 0).r;
-        moments += weight * map_texel(middle + i * axis);
+        merge_add(merge, weight, map_texel(middle + i * axis));
     }
+    moments = stored(merge_end(merge, 1.0));
 }

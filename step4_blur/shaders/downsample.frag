@@ -8,11 +8,11 @@ layout(location = 0) out vec2 moments;
 void main()
 {
     ivec2 corner = ivec2(gl_FragCoord.xy) * factor;
-    vec2 sum = vec2(0.0);
+    Merge merge = merge_about(map_texel(corner));
     for (int y = 0; y < factor; y++) {
         for (int x = 0; x < factor; x++) {
-            sum += map_texel(corner + ivec2(x, y));
+            merge_add(merge, 1.0, map_texel(corner + ivec2(x, y)));
         }
     }
-    moments = sum / float(factor * factor);
+    moments = stored(merge_end(merge, float(factor * factor)));
 }

@@ -12,11 +12,15 @@ vec2 moments_at(Receiver receiver)
     float tap_length = pixel.longer / float(taps);
     float level = log2(max(max(pixel.shorter, tap_length), 1.0));
     vec2 tap_step = pixel.direction * tap_length / vec2(texels);
-    vec2 sum = vec2(0.0);
+    Merge merge;
     for (int i = 0; i < taps; i++) {
         float steps = float(i) - 0.5 * float(taps - 1);
-        sum += moments_at_level(receiver.uv + steps * tap_step,
-                                receiver.layer, level);
+        vec2 tap = moments_at_level(receiver.uv + steps * tap_step,
+                                    receiver.layer, level);
+        if (i == 0) {
+            merge = merge_about(tap);
+        }
+        merge_add(merge, 1.0, tap);
     }
-    return sum / float(taps);
+    return merge_end(merge, float(taps));
 }

@@ -1,8 +1,7 @@
 // Looking up a mip-map chain at a level of one's own choice. (The level that
 // texture() chooses is another one on every GPU.)
 
-uniform sampler2DArray shadow_map;  // red, green: moments M1, M2 of the depth
-uniform int last_level;             // of its chain; level 0 is the finest
+uniform int last_level;  // of the chain; level 0 is the finest
 
 // Trilinear, between the two nearest levels. The weights of the levels are
 // applied by hand: GPUs keep only 8 bits of them.
@@ -11,8 +10,7 @@ vec2 moments_at_level(vec2 uv, int layer, float level)
     float last = float(last_level);
     float wanted = clamp(level, 0.0, last);
     float fine = floor(wanted);
-    vec3 where = vec3(uv, float(layer));
-    return mix(textureLod(shadow_map, where, fine).rg,
-               textureLod(shadow_map, where, min(fine + 1.0, last)).rg,
-               wanted - fine);
+    return merge_two(moments_between(uv, layer, fine),
+                     moments_between(uv, layer, min(fine + 1.0, last)),
+                     wanted - fine);
 }

@@ -8,11 +8,12 @@ void main()
 {
     const vec4 weights = vec4(1.0, 3.0, 3.0, 1.0) / 8.0;
     ivec2 corner = 2 * ivec2(gl_FragCoord.xy) - 1;
-    moments = vec2(0.0);
+    Merge merge = merge_about(map_texel(corner + 1));
     for (int y = 0; y < 4; y++) {
         for (int x = 0; x < 4; x++) {
             float weight = weights[x] * weights[y];
-            moments += weight * map_texel(corner + ivec2(x, y));
+            merge_add(merge, weight, map_texel(corner + ivec2(x, y)));
         }
     }
+    moments = stored(merge_end(merge, 1.0));
 }

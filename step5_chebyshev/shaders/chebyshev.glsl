@@ -10,7 +10,7 @@ uniform float variance_bias;       // added to every variance, likewise
 float chebyshev(vec2 moments, float t)
 {
     float least = max(min_variance, min_variance_of_m2 * moments.y);
-    float variance = max(moments.y - moments.x * moments.x, least);
+    float variance = max(variance_of(moments), least);
     variance = min(variance + variance_bias, 1.0);
     float behind = t - moments.x;
     float p_max = variance / (variance + behind * behind);

@@ -1,0 +1,28 @@
+// --moments central: a variance is no weighted mean of variances, so that 2 x 2
+// texels are read one by one and merged here and not by the texture unit.
+
+uniform sampler2DArray shadow_map;  // red, green: mean, variance of the depth
+
+vec2 map_moments(ivec2 texel, int layer, int level)
+{
+    ivec2 size = textureSize(shadow_map, level).xy;
+    bool inside = all(greaterThanEqual(texel, ivec2(0))) &&
+                  all(lessThan(texel, size));
+    return inside ? texelFetch(shadow_map, ivec3(texel, layer), level).rg
+                  : far_moments;
+}
+
+vec2 moments_between(vec2 uv, int layer, float level)
+{
+    int which = int(level);
+    vec2 place = uv * vec2(textureSize(shadow_map, which).xy) - 0.5;
+    ivec2 corner = ivec2(floor(place));
+    vec2 part = place - floor(place);
+    vec2 rows[2];
+    for (int y = 0; y < 2; y++) {
+        rows[y] = merge_two(map_moments(corner + ivec2(0, y), layer, which),
+                            map_moments(corner + ivec2(1, y), layer, which),
+                            part.x);
+    }
+    return merge_two(rows[0], rows[1], part.y);
+}

@@ -1,0 +1,14 @@
+// --moments central: the mean and the variance of the depth's distribution. One
+// texel holds one depth, which does not vary.
+
+uniform int layer;
+
+in vec3 relative_position;
+
+layout(location = 0) out vec2 moments;
+
+void main()
+{
+    float depth = map_depth(relative_position, layer);
+    moments = stored(moments_of(depth, 0.0));
+}
