@@ -3,9 +3,16 @@
 
 uniform sampler2DArray shadow_map;  // red, green: mean, variance of the depth
 
+// Not textureSize(shadow_map, level): where neighbouring pixels ask for
+// different levels, Mesa's software driver tells them the size of one of them.
+ivec2 level_size(int level)
+{
+    return max(textureSize(shadow_map, 0).xy >> level, ivec2(1));
+}
+
 vec2 map_moments(ivec2 texel, int layer, int level)
 {
-    ivec2 size = textureSize(shadow_map, level).xy;
+    ivec2 size = level_size(level);
     bool inside = all(greaterThanEqual(texel, ivec2(0))) &&
                   all(lessThan(texel, size));
     return inside ? texelFetch(shadow_map, ivec3(texel, layer), level).rg
@@ -15,7 +22,7 @@ vec2 map_moments(ivec2 texel, int layer, int level)
 vec2 moments_between(vec2 uv, int layer, float level)
 {
     int which = int(level);
-    vec2 place = uv * vec2(textureSize(shadow_map, which).xy) - 0.5;
+    vec2 place = uv * vec2(level_size(which)) - 0.5;
     ivec2 corner = ivec2(floor(place));
     vec2 part = place - floor(place);
     vec2 rows[2];
