@@ -102,7 +102,7 @@ my %mutants = (
     ],
     'a kernel that is not normalised' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        'weight * map_texel', '1.01 * weight * map_texel'
+        'weight, map_texel', '1.01 * weight, map_texel'
     ],
     'half a texel off while downsampling' => [
         'step4', 'step4_blur/shaders/downsample.frag',
@@ -110,16 +110,13 @@ my %mutants = (
     ],
     'M2 from the blurred mean' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        "texelFetch(weights, ivec2(i + radius, 0), 0).r;\n"
-          . "        moments += weight * map_texel(middle + i * axis);\n    }",
-        "texelFetch(weights, ivec2(i + radius, 0), 0).r;\n"
-          . "        moments += weight * map_texel(middle + i * axis);\n    }\n"
+        'moments = stored(merge_end(merge, 1.0));',
+        "moments = stored(merge_end(merge, 1.0));\n"
           . '    moments.y = moments.x * moments.x;'
     ],
     'the blur returns its input' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        'moments += weight * map_texel(middle + i * axis);',
-        'moments = map_texel(middle);'
+        'stored(merge_end(merge, 1.0))', 'map_texel(middle)'
     ],
     'one texel out of range' => [
         'step3',
@@ -139,7 +136,7 @@ my %mutants = (
     'the map\'s edge goes on outside' => [
         'step4',
         'step4_blur/shaders/map_texel.glsl',
-        ': vec2(1.0)',
+        ': far_moments',
         ': texelFetch(map, ivec3(clamp(texel, ivec2(0), size - 1), layer),'
           . ' 0).rg'
     ],
@@ -168,12 +165,12 @@ my %mutants = (
         'smoothstep(bleed_reduction', 'smoothstep(0.0'
     ],
     'what is outside the map is near' => [
-        'step4', 'step4_blur/shaders/map_texel.glsl', 'vec2(1.0)', 'vec2(0.0)'
+        'step4', 'step4_blur/shaders/map_texel.glsl',
+        'far_moments', 'vec2(0.0)'
     ],
     'no least variance' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
-        'max(moments.y - moments.x * moments.x, least)',
-        '(moments.y - moments.x * moments.x)'
+        'max(variance_of(moments), least)', 'variance_of(moments)'
     ],
     'lit is not told from shadowed' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
@@ -249,7 +246,7 @@ my %mutants = (
         'dFdy(light', 'dFdx(light'
     ],
     'a slope added without a limit' => [
-        'moments', 'step3_moments/shaders/moments_slope.frag',
+        'moments', 'step3_moments/shaders/merge_raw.glsl',
         'min(depth * depth + variance, depth)', 'depth * depth + variance'
     ],
     'light outside the cone' => [
