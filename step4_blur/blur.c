@@ -75,6 +75,7 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
     Blur blur = {.factor = settings->downsample,
                  .radius = settings->sat ? 0 : blur_used_radius(settings),
                  .anisotropy = settings->anisotropy,
+                 .hardware = blur_uses_hardware(settings),
                  .width = map->width / settings->downsample,
                  .height = map->height / settings->downsample,
                  .layers = map->layers};
@@ -99,8 +100,8 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
             merge_program(files, moments, "step4_blur/shaders/mips.frag"),
             last->texture, map->format, size, blur.layers);
         blur.bytes += blur.mips.bytes;
-        if (blur_uses_hardware(settings)) {
-            mips_use_sampler(last->texture, settings->anisotropy);
+        if (blur.hardware) {
+            mips_use_sampler(&blur.mips, settings->anisotropy);
         }
     }
     if (settings->sat) {

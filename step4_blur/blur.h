@@ -63,6 +63,7 @@ typedef struct Blur {
     Sat sat;               // in place of the blur
     int factor, radius;
     int anisotropy;
+    bool hardware;             // the texture unit looks the levels up
     int width, height, layers; // of the result
     size_t bytes;              // of the textures that the filter needs
 } Blur;

@@ -48,29 +48,45 @@ void blur_picture_shaders(const BlurSettings *settings,
     *files = NULL;
 }
 
-// The coarsest level that a point light's face can be looked up at: beyond the
-// border nothing was drawn, and the seams would show. Counted in texels of
-// level 0, one of level k holds 1.5 (2^k - 1) to both sides of its centre, for
-// 1 3 3 1 adds 1.5 of each level's own, and a bilinear lookup adds 2^k.
-static int last_level(const Blur *blur, const Views *views)
+// How many texels of the finest level a lookup may read beyond the 90 degrees
+// of a point light's face. Nothing was drawn beyond its border: the seams would
+// show. No other light's map ends where receivers are: of splits the next one
+// has taken over before.
+static double free_texels(const Blur *blur, const Views *views)
+{
+    bool point = views->light_position[3] != 0 && views->layers > 1;
+    return point ? views->border / blur->factor - blur->radius : 1e9;
+}
+
+// The coarsest level that stays within these texels. In texels of the finest,
+// one of level k holds 1.5 (2^k - 1) to both sides of its centre, for 1 3 3 1
+// adds 1.5 of each level's own, and a bilinear lookup adds 2^k.
+static int last_level(const Blur *blur, double free)
 {
     int last = blur->mips.levels - 1;
-    bool point = views->light_position[3] != 0 && views->layers > 1;
-    int free = views->border / blur->factor - blur->radius;
-    while (point && last > 0 && 2.5 * (1 << last) - 1.5 > free) {
+    while (last > 0 && 2.5 * (1 << last) - 1.5 > free) {
         last--;
     }
     return last;
+}
+
+static void set_levels(const Blur *blur, const Views *views, GLuint program)
+{
+    double free = free_texels(blur, views);
+    int last = last_level(blur, free);
+    if (blur->hardware) {
+        mips_limit_sampler(&blur->mips, last);
+    }
+    glUniform1i(glGetUniformLocation(program, "last_level"), last);
+    glUniform1i(glGetUniformLocation(program, "anisotropy"), blur->anisotropy);
+    glUniform1f(glGetUniformLocation(program, "free_texels"), (float)free);
 }
 
 void blur_set_lookup(const Blur *blur, const Views *views, GLuint program)
 {
     glUseProgram(program);
     if (blur->mips.levels > 0) {
-        glUniform1i(glGetUniformLocation(program, "last_level"),
-                    last_level(blur, views));
-        glUniform1i(glGetUniformLocation(program, "anisotropy"),
-                    blur->anisotropy);
+        set_levels(blur, views, program);
     }
     if (blur->sat.layers > 0) {
         sat_set_lookup(&blur->sat, program);

@@ -34,6 +34,7 @@ Mips mips_create(Program program, GLuint texture, GLenum format,
                  const int size[2], int layers)
 {
     Mips mips = {.program = program,
+                 .texture = texture,
                  .width = size[0],
                  .height = size[1],
                  .layers = layers};
@@ -52,8 +53,15 @@ Mips mips_create(Program program, GLuint texture, GLenum format,
     return mips;
 }
 
-void mips_use_sampler(GLuint texture, int anisotropy)
+void mips_use_sampler(const Mips *mips, int anisotropy)
 {
+    // A driver may take the pixel's length from the coordinates of the pixel
+    // beside it (llvmpipe does), and those may be in another layer.
+    if (anisotropy > 1 && mips->layers > 1) {
+        die_usage("--sampler hardware takes --anisotropy with a map of one "
+                  "layer only, not with this one of %d: drop one of them",
+                  mips->layers);
+    }
     GLfloat most = 1;
     if (GLAD_GL_EXT_texture_filter_anisotropic) {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
@@ -63,13 +71,19 @@ void mips_use_sampler(GLuint texture, int anisotropy)
                   "driver, not %d: drop one of them",
                   (double)most, anisotropy);
     }
-    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, mips->texture);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
                     GL_LINEAR_MIPMAP_LINEAR);
     if (anisotropy > 1) {
         glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         (GLfloat)anisotropy);
     }
+}
+
+void mips_limit_sampler(const Mips *mips, int last)
+{
+    glBindTexture(GL_TEXTURE_2D_ARRAY, mips->texture);
+    glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LOD, (GLfloat)last);
 }
 
 void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao)

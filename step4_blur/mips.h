@@ -11,6 +11,7 @@ enum { MIPS_MAX_LEVELS = 16 };
 // The levels of a texture that somebody else owns, level 0 among them.
 typedef struct Mips {
     Program program;
+    GLuint texture;
     GLuint framebuffers[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS]; // none for level 0
     int width, height, layers;                             // of level 0
     int levels; // 0: there is no chain
@@ -26,8 +27,11 @@ Mips mips_create(Program program, GLuint texture, GLenum format,
 
 // From here on the texture unit blends two levels by itself, with up to
 // `anisotropy` taps along a pixel's longer axis. Refuses (status 2) what the
-// driver cannot do.
-void mips_use_sampler(GLuint texture, int anisotropy);
+// driver cannot do, and such taps in a map of several layers.
+void mips_use_sampler(const Mips *mips, int anisotropy);
+
+// The coarsest level that the texture unit reads.
+void mips_limit_sampler(const Mips *mips, int last);
 
 // Fills levels 1 and on, each from the one before.
 void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao);

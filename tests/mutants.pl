@@ -334,8 +334,8 @@ my %mutants = (
     ],
     'taps along the shorter axis' => [
         'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
-        'pixel.direction * tap_length',
-        'pixel.direction.yx * vec2(-1, 1) * tap_length'
+        'pixel.direction * apart',
+        'pixel.direction.yx * vec2(-1, 1) * apart'
     ],
     'every tap at one place' => [
         'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
@@ -374,6 +374,14 @@ my %mutants = (
     'levels of a cube as coarse as there are' => [
         'seams', 'step4_blur/shaders/mip_levels.glsl',
         'float last = float(last_level)', 'float last = 8.0'
+    ],
+    'taps along a pixel beyond the border of a face' => [
+        'seams', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'return min(1.0, room / max(outermost, 1e-30))', 'return 1.0'
+    ],
+    'the texture unit always at level 0' => [
+        'sampler', 'step4_blur/shaders/lookup_hardware.glsl',
+        'steps.xy, steps.zw', '0.0 * steps.xy, 0.0 * steps.zw'
     ],
     'the border cut off before the blur' => [
         'seams',

@@ -1,7 +1,18 @@
 // --anisotropy: taps side by side along the pixel's longer axis, each as wide
 // as the shorter one. One level for the longer axis would blur across it too.
 
-uniform int anisotropy;  // most taps
+uniform int anisotropy;     // most taps
+uniform float free_texels;  // around a receiver, in which all have to stay
+
+// How much closer together the outermost taps, so many texels from the middle,
+// have to be. A level's lookup reads 2.5 2^level - 1.5 texels to each side, as
+// far as the border of a point light's face would let it on its own.
+float drawn_together(float outermost, float level)
+{
+    float coarse = ceil(min(level, float(last_level)));
+    float room = max(free_texels - (2.5 * exp2(coarse) - 1.5), 0.0);
+    return min(1.0, room / max(outermost, 1e-30));
+}
 
 vec2 moments_at(Receiver receiver)
 {
@@ -11,7 +22,9 @@ vec2 moments_at(Receiver receiver)
     int taps = int(clamp(ratio, 1.0, float(anisotropy)) + 0.5);
     float tap_length = pixel.longer / float(taps);
     float level = log2(max(max(pixel.shorter, tap_length), 1.0));
-    vec2 tap_step = pixel.direction * tap_length / vec2(texels);
+    float outermost = 0.5 * float(taps - 1) * tap_length;
+    float apart = tap_length * drawn_together(outermost, level);
+    vec2 tap_step = pixel.direction * apart / vec2(texels);
     Merge merge;
     for (int i = 0; i < taps; i++) {
         float steps = float(i) - 0.5 * float(taps - 1);

@@ -52,8 +52,9 @@ for my $options (
 }
 
 # Each level as the formula says, up to the last that stays within the border;
-# the wide blur leaves fewer of them, and coarse pixels ask for more.
-for my $options ( [], [qw(--radius 6)] ) {
+# the wide blur leaves fewer of them, and coarse pixels ask for more. Taps along
+# a pixel stay within the border too.
+for my $options ( [], [qw(--radius 6)], [qw(--anisotropy 16)] ) {
     my @coarse = qw(--size 80x45 --map-size 512 --mips --bleed-reduction 0);
     oracle( 'stage', dump_run( 5, qw(--scene room), @coarse, @$options ) );
 }

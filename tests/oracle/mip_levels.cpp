@@ -1,7 +1,7 @@
 #include "tests/oracle/mip_levels.h"
 
 #include <algorithm> // max, min
-#include <cmath>     // atan2, floor, log2
+#include <cmath>     // atan2, ceil, exp2, floor, log2
 
 #include "tests/oracle/footprint.h" // position_error
 #include "tests/oracle/rounding.h"
@@ -30,26 +30,32 @@ std::vector<Picture> load_levels(const Run &run, int layer)
     return levels;
 }
 
+// Half the width of what a level's lookup reads, by adding up: the blur, 1.5
+// texels of each level that was halved, and one of the level's own.
+double MipLookup::reach(double level) const
+{
+    double sum = radius_ + std::exp2(level);
+    for (int finer = 0; finer < int(level); finer++)
+        sum += 1.5 * std::exp2(finer);
+    return sum;
+}
+
 MipLookup::MipLookup(const Run &run)
-    : anisotropy_(run.settings.anisotropy), hardware_(run.settings.hardware)
+    : free_(INFINITY), anisotropy_(run.settings.anisotropy),
+      hardware_(run.settings.hardware), radius_(run.settings.radius)
 {
     if (!run.settings.mips)
         return;
     footprint_ = load_file(run, "footprint.exr", run.width, run.height, 4);
     for (size_t layer = 0; layer < run.views.size(); layer++)
         levels_.push_back(load_levels(run, int(layer)));
-    // Half the width of what a level's lookup reads, by adding up: the blur,
-    // 1.5 texels of each level that was halved, and one of the level's own.
     const MapView &view = run.views[0];
-    bool limited = view.lamp == Lamp::POINT && !hardware_;
+    if (view.lamp != Lamp::POINT)
+        return;
+    free_ = std::floor(view.border / run.settings.downsample);
     for (auto &chain : levels_)
-        for (size_t k = 1; limited && k < chain.size(); k++) {
-            double reach = run.settings.radius + std::exp2(double(k));
-            for (size_t finer = 0; finer < k; finer++)
-                reach += 1.5 * std::exp2(double(finer));
-            if (reach > std::floor(view.border / run.settings.downsample))
-                chain.resize(k);
-        }
+        while (chain.size() > 1 && reach(double(chain.size() - 1)) > free_)
+            chain.pop_back();
 }
 
 static double texel(const Picture &map, int x, int y, int channel)
@@ -120,10 +126,15 @@ Interval MipLookup::along(const Receiver &r, const double direction[2],
     if (hardware_)
         levels = {level - 1, std::floor(level), level, std::ceil(level),
                   level + 1};
+    double last = double(levels_[size_t(r.layer)].size() - 1);
     for (double l : levels) {
+        double coarse = std::ceil(std::clamp(l, 0.0, last));
+        double room = std::max(free_ - reach(coarse), 0.0);
+        double outermost = std::min((taps - 1) * tap_length / 2, room);
         Interval sum = 0;
         for (int i = 0; i < taps; i++) {
-            double steps = (i - 0.5 * (taps - 1)) * tap_length;
+            double steps =
+                taps == 1 ? 0 : (2.0 * i / (taps - 1) - 1) * outermost;
             sum = sum + at_level(r, r.u + steps * direction[0] / finest.width,
                                  r.v + steps * direction[1] / finest.height,
                                  error, l, channel);

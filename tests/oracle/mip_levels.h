@@ -28,8 +28,14 @@ class MipLookup
     Interval along(const Receiver &r, const double direction[2], double longer,
                    double shorter, int taps, int channel) const;
 
+    // Texels of the finest level that a lookup at a receiver may read to each
+    // side, and how many level k reads.
+    double free_;
+    double reach(double level) const;
+
     int anisotropy_;
     bool hardware_;
+    int radius_;
     Picture footprint_;
     std::vector<std::vector<Picture>> levels_; // by layer
 };

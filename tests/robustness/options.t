@@ -448,6 +448,12 @@ sub check_sampler {
     is_refused( $step, [qw(--sampler hardware)],
         [qr/--sampler hardware.*add --mips or drop --sampler/],
         '--sampler without --mips' );
+    is_refused(
+        $step,
+        [ qw(--scene room --mips --anisotropy 8 --sampler), 'hardware' ],
+        [qr/--sampler hardware.*--anisotropy.*one layer.*drop one/],
+        'taps of the texture unit next to another layer'
+    );
     local $ENV{MESA_EXTENSION_OVERRIDE} =
       '-GL_EXT_texture_filter_anisotropic';
     is_refused( $step, [ qw(--mips --anisotropy 8 --sampler), 'hardware' ],
