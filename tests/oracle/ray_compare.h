@@ -2,6 +2,7 @@
 #ifndef ORACLE_RAY_COMPARE_H
 #define ORACLE_RAY_COMPARE_H
 
+#include <algorithm> // max
 #include <functional>
 
 #include "tests/oracle/rays.h"
@@ -24,6 +25,13 @@ struct RayComparison {
     size_t agrees = 0, silhouette = 0, differs = 0;
     double worst = 0; // largest error where it agrees
 
+    void add(const RayComparison &other)
+    {
+        agrees += other.agrees;
+        silhouette += other.silhouette;
+        differs += other.differs;
+        worst = std::max(worst, other.worst);
+    }
     size_t all() const
     {
         return agrees + silhouette + differs;

@@ -45,6 +45,10 @@ class RayScene
     // plane in that ball.
     bool crosses_plane(const glm::dvec3 &point, const glm::dvec3 &normal,
                        double radius) const;
+    const std::vector<Triangle> &triangles() const
+    {
+        return triangles_;
+    }
     const Triangle &triangle(int i) const
     {
         return triangles_[size_t(i)];
