@@ -9,7 +9,7 @@
 enum { THIN_THICKNESS };
 enum { FENCE_PICKETS };
 enum { CROWD_TRIANGLES };
-enum { AVENUE_WALK, AVENUE_TURN };
+enum { AVENUE_WALK, AVENUE_TURN, AVENUE_ASIDE, AVENUE_TILT };
 
 // A gate of thin bars: what aliases first in a shadow map.
 static void add_gate(Scene *scene, const Mesh *box)
@@ -87,12 +87,16 @@ void scene_build_fence(Scene *scene, const double values[])
 void scene_build_avenue(Scene *scene, const double values[])
 {
     double angle = RADIANS(values[AVENUE_TURN]);
-    const double eye[3] = {0.8, 1.7, 4.0 - values[AVENUE_WALK]};
+    const double eye[3] = {0.8 + values[AVENUE_ASIDE], 1.7,
+                           4.0 - values[AVENUE_WALK]};
     const double ahead[3] = {-1.2, -0.6, -14};
+    // Up and down by turning the target about the eye, before the turn.
+    double tilt = RADIANS(values[AVENUE_TILT]);
+    double up = cos(tilt) * ahead[1] - sin(tilt) * ahead[2];
+    double along = sin(tilt) * ahead[1] + cos(tilt) * ahead[2];
     const double target[3] = {
-        eye[0] + cos(angle) * ahead[0] - sin(angle) * ahead[2],
-        eye[1] + ahead[1],
-        eye[2] + sin(angle) * ahead[0] + cos(angle) * ahead[2]};
+        eye[0] + cos(angle) * ahead[0] - sin(angle) * along, eye[1] + up,
+        eye[2] + sin(angle) * ahead[0] + cos(angle) * along};
     scene_set_camera(scene, eye, target, 50);
     scene->camera.reach = 130; // past the last column
     scene_set_light(scene, 0.7, -0.6, -0.35);

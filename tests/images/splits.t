@@ -31,8 +31,7 @@ check_all( 5, @avenue, '--scene', 'avenue:offset=1000,scale=0.01,walk=20' );
 # The views of a run: texel size, depth range, and where the middle of the map
 # is in the world, in texels along u and v.
 sub views_of {
-    my ($scene) = @_;
-    my $dump = dump_run( 1, @avenue, '--scene', $scene );
+    my ($dump) = @_;
     my $run  = decode_json( slurp("$dump/run.json") );
     my @views;
     for my $view ( @{ $run->{views} } ) {
@@ -59,16 +58,26 @@ sub views_of {
 
 sub near { return abs( $_[0] - $_[1] ) <= $_[2] }
 
-# However the camera walks and turns.
-my @still = views_of('avenue');
-is( scalar @still, 4, 'four views' );
-my $moved = 0;
-for my $key ( qw(walk=0.013 walk=0.5 turn=0.1 turn=-7), 'walk=3,turn=20' ) {
-    my @views = views_of("avenue:$key");
-    my ( $there, $here ) =
-      map { dump_run( 1, @avenue, '--scene', $_ ) } 'avenue', "avenue:$key";
+# However the camera walks and turns. The views depend on the picture's shape
+# and not on its size.
+sub walked {
+    my ( $map, $scene ) = @_;
+    return dump_run( 1, qw(--size 32x18 --splits 4 --map-size),
+        $map, '--scene', $scene );
+}
+
+my %moved;
+
+sub check_walk {
+    my ( $map, $key ) = @_;
+    my ( $there, $here ) = ( walked( $map, 'avenue' ),
+        walked( $map, "avenue:$key" ) );
+    note("map $map, $key");
     oracle( 'overlap', $there, "other=$here" );
-    for my $i ( 0 .. 3 ) {
+    my @still = views_of($there);
+    my @views = views_of($here);
+    is( scalar @views, 4, "$key: four views" );
+    for my $i ( 0 .. $#views ) {
         my ( $old, $new ) = ( $still[$i], $views[$i] );
         ok( near( $new->{texel} / $old->{texel}, 1, 1e-12 ),
             "$key: split $i keeps the size of its texels" );
@@ -77,14 +86,26 @@ for my $key ( qw(walk=0.013 walk=0.5 turn=0.1 turn=-7), 'walk=3,turn=20' ) {
         my @turned =
           grep { !near( $new->{axes}[$_], $old->{axes}[$_], 1e-12 ) } 0 .. 5;
         ok( !@turned, "$key: split $i does not turn" );
-        my @by = map { $new->{place}[$_] - $old->{place}[$_] } 0, 1;
+        my @by  = map { $new->{place}[$_] - $old->{place}[$_] } 0, 1;
         my @odd = grep { !near( $_, sprintf( '%.0f', $_ ), 1e-6 ) } @by;
         ok( !@odd, "$key: split $i moves by whole texels: @by" );
-        $moved++ if grep { abs > 0.5 } @by;
+        $moved{$map}++ if grep { abs > 0.5 } @by;
     }
+    return;
 }
+
+my @walks = (
+    'walk=0.013', 'walk=0.5',            'aside=-0.7', 'turn=0.1',
+    'turn=-7',    'walk=3,turn=20',      'tilt=4',     'tilt=-0.05',
+    'turn=50',    'aside=1.1,tilt=-12,turn=-30'
+);
+check_walk( 256, $_ ) for @walks;
+check_walk( 512, $_ ) for @walks[ 1, 2, 4, 9 ];
+
 # The far ones hold all that casts, which does not move.
-ok( $moved >= 5, "$moved of 20 views have moved" );
+ok( $moved{256} >= 10, "$moved{256} of 40 views have moved" );
+ok( $moved{512} >= 4,  "$moved{512} of 16 views have moved" );
+my @still = views_of( walked( 256, 'avenue' ) );
 
 # The nearer to the camera, the finer; none holds more than what casts.
 ok( $still[1]{texel} > $still[0]{texel}, 'the second split is coarser' );
