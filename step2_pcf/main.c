@@ -48,9 +48,11 @@ static void create(void)
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));
     state.geometry = geometry_create(&state.scene);
-    state.map = shadow_map_create(
-        shadow_map_program(base_shader_files(&state.base), fill), &state.views,
-        GL_R32F, GL_NEAREST);
+    if (base_shadows(&state.base)) {
+        state.map = shadow_map_create(
+            shadow_map_program(base_shader_files(&state.base), fill),
+            &state.views, GL_R32F, GL_NEAREST);
+    }
     state.picture =
         scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }
@@ -58,8 +60,11 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
-    stopwatch_lap(&state.stopwatch, "depth");
+    if (base_shadows(&state.base)) {
+        shadow_map_draw(&state.map, &state.scene, &state.geometry,
+                        &state.views);
+        stopwatch_lap(&state.stopwatch, "depth");
+    }
     bias_apply(&state.bias, state.picture.program.id);
     pcf_apply(&state.pcf, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,

@@ -55,8 +55,10 @@ static void create(void)
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, REACH);
     state.geometry = geometry_create(&state.scene);
-    state.map = moments_create(base_shader_files(&state.base), &state.views,
-                               &state.moments);
+    if (base_shadows(&state.base)) {
+        state.map = moments_create(base_shader_files(&state.base), &state.views,
+                                   &state.moments);
+    }
     state.picture =
         scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }
@@ -64,8 +66,11 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
-    stopwatch_lap(&state.stopwatch, "moments");
+    if (base_shadows(&state.base)) {
+        shadow_map_draw(&state.map, &state.scene, &state.geometry,
+                        &state.views);
+        stopwatch_lap(&state.stopwatch, "moments");
+    }
     bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.map.texture);

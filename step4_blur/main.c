@@ -60,8 +60,11 @@ static void create(void)
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
-    state.map = moments_create(files, &state.views, &state.moments);
-    state.filter = blur_create(files, &state.blur, &state.moments, &state.map);
+    if (base_shadows(&state.base)) {
+        state.map = moments_create(files, &state.views, &state.moments);
+        state.filter =
+            blur_create(files, &state.blur, &state.moments, &state.map);
+    }
     state.picture =
         scene_draw_create(&state.base, state.scene.light.kind, visibility);
 }
@@ -69,10 +72,13 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
-    stopwatch_lap(&state.stopwatch, "moments");
-    state.filtered = blur_apply(&state.filter, &state.map);
-    stopwatch_lap(&state.stopwatch, "blur");
+    if (base_shadows(&state.base)) {
+        shadow_map_draw(&state.map, &state.scene, &state.geometry,
+                        &state.views);
+        stopwatch_lap(&state.stopwatch, "moments");
+        state.filtered = blur_apply(&state.filter, &state.map);
+        stopwatch_lap(&state.stopwatch, "blur");
+    }
     bias_apply(&state.bias, state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,

@@ -64,8 +64,11 @@ static void create(void)
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     state.geometry = geometry_create(&state.scene);
-    state.map = moments_create(files, &state.views, &state.moments);
-    state.filter = blur_create(files, &state.blur, &state.moments, &state.map);
+    if (base_shadows(&state.base)) {
+        state.map = moments_create(files, &state.views, &state.moments);
+        state.filter =
+            blur_create(files, &state.blur, &state.moments, &state.map);
+    }
     state.picture =
         scene_draw_create_from(deferred_source(state.shading.deferred),
                                &state.base, state.scene.light.kind, visibility);
@@ -76,11 +79,14 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    shadow_map_draw(&state.map, &state.scene, &state.geometry, &state.views);
-    stopwatch_lap(&state.stopwatch, "moments");
-    state.filtered = blur_apply(&state.filter, &state.map);
-    stopwatch_lap(&state.stopwatch, "blur");
-    chebyshev_apply(&state.chebyshev, state.map.format,
+    if (base_shadows(&state.base)) {
+        shadow_map_draw(&state.map, &state.scene, &state.geometry,
+                        &state.views);
+        stopwatch_lap(&state.stopwatch, "moments");
+        state.filtered = blur_apply(&state.filter, &state.map);
+        stopwatch_lap(&state.stopwatch, "blur");
+    }
+    chebyshev_apply(&state.chebyshev, moments_format(&state.moments),
                     state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,

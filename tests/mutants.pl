@@ -393,6 +393,14 @@ my %mutants = (
         'scenes', 'step1_shadowmap/shaders/bias.glsl',
         'receiver.layer, 0.02)', 'receiver.layer, 0.1)'
     ],
+    'half a shadow where there is none' => [
+        'shadows',    'step1_shadowmap/shaders/unshadowed.glsl',
+        'return 1.0', 'return 0.5'
+    ],
+    'lit although it faces away, without shadows' => [
+        'shadows',       'step1_shadowmap/shaders/scene.frag',
+        'facing > 0.0 && cosine', 'cosine'
+    ],
     'facing away is not dark' => [
         'scenes',          'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0 &&', 'facing > -2.0 &&'

@@ -37,6 +37,7 @@ base := \
     step1_shadowmap/shaders/legend.frag \
     step1_shadowmap/shaders/dump.glsl \
     step1_shadowmap/shaders/steps.glsl \
+    step1_shadowmap/shaders/unshadowed.glsl \
     step1_shadowmap/shaders/footprint.glsl \
     step1_shadowmap/shaders/footprint_nothing.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \

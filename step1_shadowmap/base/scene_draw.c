@@ -135,7 +135,12 @@ SceneDraw scene_draw_create_from(const SceneSource *source,
                                  const BaseSettings *settings, LightKind kind,
                                  const char *const visibility[])
 {
+    static const char *const unshadowed[] = {
+        "step1_shadowmap/shaders/unshadowed.glsl", NULL};
     gl_check_size("size", settings->size[0], settings->size[1]);
+    if (!base_shadows(settings)) {
+        visibility = unshadowed;
+    }
     SceneDraw draw = {.footprint = uses_footprint(visibility),
                       .width = settings->size[0],
                       .height = settings->size[1]};

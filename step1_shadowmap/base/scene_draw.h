@@ -39,8 +39,9 @@ typedef struct SceneDraw {
 
 // For a light of this kind. `visibility` lists the fragment shader files (NULL
 // at the end) that define float visibility(Receiver); they are compiled
-// together with step 1's scene.frag. With --dump the picture has the further
-// outputs that scene_draw_dump writes.
+// together with step 1's scene.frag. Without shadows they are left out: the
+// visibility is 1 wherever a surface faces the light. With --dump the picture
+// has the further outputs that scene_draw_dump writes.
 SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
                             const char *const visibility[]);
 

@@ -23,6 +23,11 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, light),
      .choices = "directional,spot,point",
      .help = "the kind of light, in place of the scene's own"},
+    {.name = "shadows",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BaseSettings, shadows),
+     .choices = "on,off",
+     .help = "off: the same frame without any map or lookup, to compare times"},
     {.name = "splits",
      .kind = OPTION_INTEGER,
      .offset = offsetof(BaseSettings, splits),
@@ -139,6 +144,7 @@ BaseSettings base_settings(const char *program, const ShowMode *more_shows)
                           .map_size = {512, 512},
                           .output = outputs[program[4] - '1'],
                           .show = "shaded",
+                          .shadows = "on",
                           .splits = 1,
                           .depth_shader =
                               "step1_shadowmap/shaders/linear_depth.glsl",
@@ -157,13 +163,25 @@ static void check_window(const BaseSettings *settings)
     }
 }
 
+// The further choices show what is in a map.
+static void check_shadows(const BaseSettings *settings)
+{
+    const ShowMode *mode = base_show_mode(settings);
+    if (!base_shadows(settings) &&
+        mode == find_show(settings->more_shows, settings->show)) {
+        die_usage("--show %s needs the map that --shadows off leaves out: drop "
+                  "one of them",
+                  settings->show);
+    }
+}
+
 void base_settings_check(const BaseSettings *settings)
 {
     if (settings->list_scenes) {
         scene_list(stdout);
         exit(0);
     }
-    base_show_mode(settings);
+    check_shadows(settings);
     if (settings->shaders != NULL && !file_is_directory(settings->shaders)) {
         die_usage("--shaders '%s': there is no such directory",
                   settings->shaders);
@@ -201,6 +219,11 @@ void base_make_directories(const BaseSettings *settings,
                  (int)(slash - settings->output), settings->output);
         file_make_directory(directory);
     }
+}
+
+bool base_shadows(const BaseSettings *settings)
+{
+    return strcmp(settings->shadows, "on") == 0;
 }
 
 int base_frames(const BaseSettings *settings)

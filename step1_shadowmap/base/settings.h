@@ -25,6 +25,7 @@ typedef struct BaseSettings {
     const char *shaders;        // directory, or NULL
     bool window;
     const char *context;
+    const char *shadows;      // on or off
     int splits;               // views of a directional light
     const char *depth_shader; // the formula of t, for map and picture
     int bench;                // frames to time, or 0
@@ -54,6 +55,9 @@ void base_create_scene(const BaseSettings *settings, Scene *scene);
 // that could be wrong with the options has been looked at.
 void base_make_directories(const BaseSettings *settings,
                            const OptionTable tables[]);
+
+// Whether there are shadows: without, no map is made.
+bool base_shadows(const BaseSettings *settings);
 
 // How many frames to draw at once: one, or those to time and the warm-up before
 // them.

@@ -90,6 +90,9 @@ static bool stores_halves(const json &options)
 static Settings settings_of(const json &options, int step)
 {
     Settings settings;
+    settings.shadows = options.at("shadows") == "on";
+    if (!settings.shadows) // nothing else is done
+        return settings;
     if (step <= 4) {
         settings.bias = options.at("bias").get<double>();
         settings.slope_bias = options.at("slope-bias").get<double>();

@@ -48,6 +48,7 @@ enum class Blur { NONE, BOX, GAUSSIAN, BINOMIAL };
 // The settings that a check needs; what a step does not have keeps the value
 // that means "not done".
 struct Settings {
+    bool shadows = true;    // off: no map, and what faces the light is lit
     double bias = 0;        // of the depth range
     double slope_bias = 0;  // of half a kernel's depth change
     int kernel = 1;         // texels

@@ -81,7 +81,8 @@ static void check_normals(const Run &run, const Picture &normal,
 
 void check_files(const Run &run, Report &report)
 {
-    for (size_t layer = 0; layer < run.views.size(); layer++)
+    size_t maps = run.settings.shadows ? run.views.size() : 0;
+    for (size_t layer = 0; layer < maps; layer++)
         check_maps(run, int(layer), report);
     Picture receiver = check_picture(run, "receiver.exr", 4, report);
     Picture normal = check_picture(run, "normal.exr", 3, report);

@@ -73,7 +73,8 @@ static void run_slopes(const Run &run, Report &report)
 
 static void run_stages(const Run &run, Report &report)
 {
-    for (size_t layer = 0; layer < run.views.size(); layer++) {
+    size_t maps = run.settings.shadows ? run.views.size() : 0;
+    for (size_t layer = 0; layer < maps; layer++) {
         if (run.step >= 3)
             check_moments(run, int(layer), report);
         if (run.step >= 4)

@@ -228,7 +228,7 @@ static Interval expected(const Run &run, const Receiver &r, const MapView &view,
 static Interval in_layer(const Run &run, const Receiver &r, const Pixel &pixel)
 {
     size_t layer = size_t(r.layer);
-    return layer < run.views.size() && inside_map(r)
+    return run.settings.shadows && layer < run.views.size() && inside_map(r)
                ? expected(run, r, run.views[layer], pixel)
                : Interval(1);
 }
@@ -298,8 +298,8 @@ void check_visibility(const Run &run, Report &report)
         return check_hardware(run, report);
     Receivers receivers(run);
     std::vector<Picture> maps;
-    for (size_t layer = 0; layer < run.views.size(); layer++)
-        maps.push_back(load_filtered(run, int(layer)));
+    for (size_t i = 0; run.settings.shadows && i < run.views.size(); i++)
+        maps.push_back(load_filtered(run, int(i)));
     MipLookup mips(run);
     BoxLookup boxes(run);
     PcfWidth widths(run);

@@ -57,6 +57,14 @@ my %OPTIONS = (
         bad     => [ 0, 9, '', '2.0', '-1' ],
         allowed => qr/numbers from 1 to 8/,
     },
+    shadows => {
+        steps   => [ 1 .. 5 ],
+        differ  => ['off'],
+        same    => ['on'],
+        check   => \&check_shadows,
+        bad     => [ 'yes', '', 'on,off' ],
+        allowed => qr/on,\s?off/,
+    },
     'list-scenes' => { steps => [ 1 .. 5 ] },    # in scenes.t
     window        => { steps => [ 1 .. 5 ] },    # in window.t
     size          => {
@@ -348,6 +356,16 @@ sub check_splits {
         is_refused( $step, [ '--splits', 2, @$words ],
             [ qr/--splits 2/, qr/drop --splits/ ], "--splits 2 @$words" );
     }
+    return;
+}
+
+# A map that is not there cannot be shown.
+sub check_shadows {
+    my ($step) = @_;
+    return if $step < 3;
+    is_refused( $step, [qw(--shadows off --show mean)],
+        [qr/--show mean.*--shadows off.*drop one/],
+        '--show mean without a map' );
     return;
 }
 
