@@ -61,7 +61,7 @@ sanitize: ## run every test on programs built with ASan and UBSan
 	    VSM_SLOW=1 $(MAKE) BUILD=build/sanitize CFLAGS='$(SANITIZE)' \
 	    CXXFLAGS='$(SANITIZE)' LDFLAGS='$(SANITIZE)' test
 
-report: set-up-tests programs $(BUILD)/oracle ## error against run time, as a table and out/report/results.csv
+report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/report/ (REPORT=quick: in 2 minutes)
 	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
 
 mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught

@@ -63,7 +63,8 @@ sub command {
         print STDERR "cannot run $words[0]: $!\n";
         POSIX::_exit(127);    # not exit: the END blocks are the parent's
     }
-    waitpid $child, 0;
+    # A signal's handler breaks off the wait.
+    1 while waitpid( $child, 0 ) < 0 && $!{EINTR};
     return {
         status => $? >> 8,
         signal => $? & 127,
