@@ -137,6 +137,7 @@ static Run run_of(const json &root)
     run.step = root.at("step").get<int>();
     run.scene = root.at("scene").get<std::string>();
     run.light = root.at("options").at("light").get<std::string>();
+    run.options = root.at("options").dump();
     run.settings = settings_of(root.at("options"), run.step);
     read_size(root.at("options"), run);
     run.origin = vec3_of_json(root.at("origin"));

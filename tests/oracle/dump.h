@@ -82,8 +82,9 @@ struct Settings {
 struct Run {
     std::string folder;
     int step;
-    std::string scene; // as scene_create takes it
-    std::string light; // the same, empty: the scene's own
+    std::string scene;   // as scene_create takes it
+    std::string light;   // the same, empty: the scene's own
+    std::string options; // all of them, as JSON
     Settings settings;
     int width, height; // of the picture, pixels
     glm::dvec3 origin; // world space, the camera's position

@@ -13,13 +13,20 @@ struct ErrorOptions {
     // Of a point light: also rows NAME.seamAB, the pixels whose filter reaches
     // over the edge between faces A and B of the cube, and NAME.rest.
     bool seams = false;
+    // Also rows chain.NAME: the error's sources, one substitution after the
+    // other from the light's truth to the program (see chain.h). Their signed
+    // differences add up to program minus light's truth on every pixel.
+    bool chain = false;
+    bool lower = true;   // the row of the lower bound
+    std::string keep_in; // a folder for truths, see kept_truth.h; or empty
 };
 
-// Prints CSV: truth,pixels,apart,nonfinite,rmse,p99,max,share. Counted are the
-// pixels that show an object with N.L > 0; `apart` of them (silhouettes, N.L
-// under 0.1) and the non-finite are in no other column; the share is that of
-// errors over 1/255. Writes truth.NAME.exr, error.NAME.exr and error.NAME.bin
-// (bare floats), top row first; the error is 0 where it is not counted.
+// Prints CSV: truth,pixels,apart,nonfinite,rmse,p99,max,share,mean. Counted are
+// the pixels that show an object with N.L > 0; `apart` of them (silhouettes,
+// N.L under 0.1) and the non-finite are in no other column; the share is that
+// of errors over 1/255, the mean that of the signed errors. Writes
+// truth.NAME.exr, error.NAME.exr and error.NAME.bin (bare floats), top row
+// first; the error is 0 where it is not counted.
 void print_errors(const Run &run, const ErrorOptions &options);
 
 #endif

@@ -40,7 +40,10 @@ static const char *const USAGE =
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
     "  errors   CSV of visibility against every truth [rays=256] [write=DIR]\n"
     "           [light-size=X], the light's diameter in world units; of a\n"
-    "           directional one at a distance of 1, [seams=1] of a cube apart\n"
+    "           directional one at a distance of 1, [seams=1] of a cube "
+    "apart,\n"
+    "           [chain=1] where the error comes from, [lower=0] without that\n"
+    "           bound, [keep=DIR] truths from and for other runs\n"
     "  truths   the truths themselves where they are known: scenes edge,\n"
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
     "  disc     step 2 --pattern poisson against grid=DIR, a dump of the "
@@ -139,8 +142,12 @@ static void run_shading(const Run &run, Report &report)
 // Prints a table instead of lines that pass or fail.
 static void run_errors(const std::string &folder, const Words &words)
 {
-    Arguments arguments(words, {"rays", "light-size", "write", "seams"});
+    Arguments arguments(words, {"rays", "light-size", "write", "seams", "chain",
+                                "lower", "keep"});
     ErrorOptions options;
+    options.chain = arguments.number("chain", 0) != 0;
+    options.lower = arguments.number("lower", 1) != 0;
+    options.keep_in = arguments.text("keep", "");
     options.seams = arguments.number("seams", 0) != 0;
     options.rays = arguments.number("rays", options.rays);
     options.light_size = arguments.number("light-size", 0);
