@@ -6,71 +6,93 @@
 
 // One merge: its taps, how far its weights are from 1, the largest of them.
 typedef struct Pass {
-    int taps;
+    int taps; // and roundings of weights that are no input
     double defect;
     double heaviest;
 } Pass;
 
-static Pass pass_of(const float *weights, int taps)
+typedef struct Passes {
+    Pass all[4];
+    int count;
+} Passes;
+
+static void add_pass(Passes *passes, const float *weights, int taps, int made)
 {
-    Pass pass = {.taps = taps};
+    Pass *pass = &passes->all[passes->count++];
+    *pass = (Pass){.taps = taps + made};
     double sum = 0;
     for (int i = 0; i < taps; i++) {
         sum += weights[i];
-        pass.heaviest = fmax(pass.heaviest, weights[i]);
+        pass->heaviest = fmax(pass->heaviest, weights[i]);
     }
-    pass.defect = fabs(sum - 1);
-    return pass;
+    pass->defect = fabs(sum - 1);
 }
 
-static int passes_of(const Chain *chain, Pass passes[4])
+// The lerps of a texture unit are no merge.
+static Passes passes_of(const Chain *chain)
 {
     const float quarter[] = {0.25F, 0.25F, 0.25F, 0.25F};
     float lookup[4];
-    int count = 0;
+    Passes passes = {.count = 0};
     if (chain->factor > 1) {
-        passes[count++] = pass_of(quarter, 4);
+        add_pass(&passes, quarter, 4, 0);
     }
     // One tap of weight 1 changes nothing.
     for (int axis = 0; axis < 2 && chain->taps > 1; axis++) {
-        passes[count++] = pass_of(chain->weights, chain->taps);
+        add_pass(&passes, chain->weights, chain->taps, 0);
     }
-    lookup_weights(chain, lookup);
-    passes[count++] = pass_of(lookup, 4);
-    return count;
+    if (chain->lookup == LOOKUP_WEIGHTS) {
+        lookup_weights(chain, lookup);
+        add_pass(&passes, lookup, 4, 3);
+    }
+    return passes;
 }
 
-static Errors raw_errors(const Format *format, const Pass *passes, int count)
+// What the last pass makes is stored, unless it is the lookup.
+static int stores_of(const Chain *chain, const Passes *passes)
 {
-    double s = format->roundoff;
-    double factor = 1;
-    double underflows = format->tiny;
-    for (int i = 0; i < count; i++) {
-        double stored = i < count - 1 ? 1 + s : 1;
-        factor *=
-            pow(1 + ROUNDOFF, passes[i].taps) * stored * (1 + passes[i].defect);
-        underflows += passes[i].taps * UNDERFLOW + format->tiny;
+    return passes->count - (chain->lookup == LOOKUP_WEIGHTS ? 1 : 0);
+}
+
+static Errors raw_errors(const Chain *chain)
+{
+    Passes passes = passes_of(chain);
+    double s = chain->format->roundoff;
+    double factor = pow(1 + s, stores_of(chain, &passes));
+    double underflows = chain->format->tiny;
+    for (int i = 0; i < passes.count; i++) {
+        const Pass *pass = &passes.all[i];
+        factor *= pow(1 + ROUNDOFF, pass->taps) * (1 + pass->defect);
+        underflows += pass->taps * UNDERFLOW + chain->format->tiny;
     }
     double e = factor - 1;
     double e2 = factor * (1 + ROUNDOFF) * (1 + s) / ((1 - s) * (1 - s)) - 1;
+    double lerp = chain->lookup == LOOKUP_LERPS ? 6 * ROUNDOFF * (1 + e2) : 0;
+    underflows += lerp > 0 ? 4 * UNDERFLOW : 0;
     return (Errors){.mean = e,
-                    .variance =
-                        e2 + 2 * e + e * e + 2 * ROUNDOFF * (1 + e) * (1 + e),
+                    .variance = e2 + 2 * e + e * e +
+                                2 * ROUNDOFF * (1 + e2) * (1 + e) * (1 + e),
+                    .lerp = lerp,
+                    .lerp2 = 3 * lerp * (1 + e + lerp + 4 * ROUNDOFF),
                     .tiny = 6 * (underflows + UNDERFLOW),
                     .tiny_shift = 2 * (underflows + UNDERFLOW)};
 }
 
-static Errors central_errors(const Format *format, const Pass *passes,
-                             int count)
+static Errors central_errors(const Chain *chain)
 {
-    double s = format->roundoff;
-    Errors errors = {.mean = count * (ROUNDOFF + s),
-                     .variance = (count - 1) * (ROUNDOFF + s)};
-    for (int i = 0; i < count; i++) {
-        double n = passes[i].taps;
-        double h = passes[i].heaviest;
-        double q = passes[i].defect;
-        double relative = ((3 * n + 12) * ROUNDOFF + 3 * q) / h + s;
+    Passes passes = passes_of(chain);
+    const Format *format = chain->format;
+    int stores = stores_of(chain, &passes);
+    int before_last = passes.count > 0 ? passes.count - 1 : 0;
+    Errors errors = {.mean =
+                         passes.count * ROUNDOFF + stores * format->roundoff,
+                     .variance = before_last * (ROUNDOFF + format->roundoff)};
+    for (int i = 0; i < passes.count; i++) {
+        double n = passes.all[i].taps;
+        double h = passes.all[i].heaviest;
+        double q = passes.all[i].defect;
+        double stored = i < stores ? format->roundoff : 0;
+        double relative = ((3 * n + 12) * ROUNDOFF + 3 * q) / h + stored;
         errors.deviation += relative / 2 + ((n + 3) * ROUNDOFF + q) / sqrt(h);
         errors.tiny += 4 * n * UNDERFLOW + 2 * format->tiny;
         errors.tiny_shift += 4 * n * UNDERFLOW + format->tiny;
@@ -82,54 +104,82 @@ static Errors central_errors(const Format *format, const Pass *passes,
     return errors;
 }
 
-Errors errors_of(const Chain *chain)
+static Errors times(Errors e, double factor)
 {
-    Pass passes[4];
-    int count = passes_of(chain, passes);
-    return chain->central ? central_errors(chain->format, passes, count)
-                          : raw_errors(chain->format, passes, count);
+    e.mean *= factor;
+    e.variance *= factor;
+    e.deviation *= factor;
+    e.lerp *= factor;
+    e.lerp2 *= factor;
+    e.tiny *= factor;
+    e.tiny_shift *= factor;
+    return e;
 }
 
-// The guard multiplies what was computed, not what is exact.
+Errors errors_of(const Chain *chain)
+{
+    Errors e = chain->central ? central_errors(chain) : raw_errors(chain);
+    switch (chain->fault) {
+    case BOUND_TENTH:
+        return times(e, 0.1);
+    case BOUND_TENFOLD:
+        return times(e, 10);
+    default:
+        return e;
+    }
+}
+
+// The guard multiplies what was computed, not what is exact; the largest depth
+// is not known there, and 1 at most. The last term is its own arithmetic.
 Guard guard_of(const Chain *chain)
 {
     Errors e = errors_of(chain);
     double more = 1 / (1 - e.variance - e.mean - e.deviation) + 8 * ROUNDOFF;
+    double own = chain->central ? 8 * ROUNDOFF : 0;
     return (Guard){.variance = (float)(e.variance * more),
-                   .deviation = (float)(e.deviation * more),
+                   .deviation = (float)(e.deviation * more + own),
                    .mean = (float)(e.mean * more),
-                   .tiny = (float)(2 * e.tiny),
-                   .tiny_shift = (float)(2 * e.tiny_shift)};
+                   .tiny = (float)(more * (e.lerp2 + 2 * e.tiny)),
+                   .tiny_shift = (float)(more * (e.lerp + 2 * e.tiny_shift))};
 }
 
-// Everything that the variance can be, `times` errors away.
-static double most_variance(const Chain *chain, const Exact *exact,
-                            double times)
-{
-    Errors e = errors_of(chain);
-    if (!chain->central) {
-        return exact->variance + times * (e.variance * exact->m2 + e.tiny);
-    }
-    double deviation = sqrt(exact->variance) * (1 + times * e.deviation) +
-                       times * (e.variance * sqrt(exact->m2) + e.tiny_shift);
-    return deviation * deviation + times * e.tiny;
-}
+// What was computed lies between these.
+typedef struct Range {
+    double least, most;
+} Range;
 
-static double least_variance(const Chain *chain, const Exact *exact)
+static Range variance_range(const Errors *e, bool central, const Exact *exact)
 {
-    Errors e = errors_of(chain);
-    if (!chain->central) {
-        return fmax(exact->variance - e.variance * exact->m2 - e.tiny, 0);
+    double v = exact->variance;
+    if (!central) {
+        double off = e->variance * exact->m2 +
+                     e->lerp2 * exact->most_depth * exact->most_depth + e->tiny;
+        return (Range){fmax(v - off, 0), v + off};
     }
-    double deviation = sqrt(exact->variance) * (1 - e.deviation) -
-                       e.variance * sqrt(exact->m2) - e.tiny_shift;
-    return fmax(deviation > 0 ? deviation * deviation - e.tiny : 0, 0);
+    double off =
+        e->deviation * sqrt(v) + e->variance * sqrt(exact->m2) + e->tiny_shift;
+    double least = fmax(sqrt(v) - off, 0);
+    double most = sqrt(v) + off;
+    return (Range){fmax(least * least - e->tiny, 0), most * most + e->tiny};
 }
 
 double variance_bound(const Chain *chain, const Exact *exact)
 {
-    return fmax(most_variance(chain, exact, 1) - exact->variance,
-                exact->variance - least_variance(chain, exact));
+    Errors e = errors_of(chain);
+    Range v = variance_range(&e, chain->central, exact);
+    return fmax(v.most - exact->variance, exact->variance - v.least);
+}
+
+// The most that the guard makes of a variance and an M2 up to these.
+static double guarded_most(const Guard *guard, bool central, double variance,
+                           double m2)
+{
+    if (!central) {
+        return variance + guard->variance * m2 + guard->tiny;
+    }
+    double deviation = sqrt(variance + guard->tiny) * (1 + guard->deviation) +
+                       guard->variance * sqrt(m2) + guard->tiny_shift;
+    return deviation * deviation;
 }
 
 static double cantelli(double variance, double behind)
@@ -140,21 +190,29 @@ static double cantelli(double variance, double behind)
 double p_bound(const Chain *chain, const Exact *exact, bool guarded)
 {
     Errors e = errors_of(chain);
-    // With the guard an error is met by another one of the same size, and by
-    // a little for being a part of what was computed.
-    double times = guarded ? 2.25 : 1;
-    double shift = e.mean * exact->mean + e.tiny_shift +
-                   e.deviation * sqrt(exact->variance);
-    shift += 2 * ROUNDOFF * fabs(exact->behind);
-    double most = cantelli(most_variance(chain, exact, times) + UNDERFLOW,
-                           exact->behind - times * shift);
-    double least =
-        cantelli(least_variance(chain, exact), exact->behind + shift);
-    least = guarded ? exact->p : least;
+    Range v = variance_range(&e, chain->central, exact);
+    double off = e.mean * exact->mean + e.lerp * exact->most_depth +
+                 e.deviation * sqrt(exact->variance) + e.tiny_shift;
+    double nearest = exact->behind - off;
+    if (guarded) {
+        // M1^ and M2^ are no larger than these.
+        double mean = exact->mean + off;
+        double m2 = v.most + mean * mean;
+        Guard guard = guard_of(chain);
+        nearest -= guard.mean * mean + guard.tiny_shift;
+        if (chain->central) {
+            nearest -= guard.deviation * sqrt(v.most + guard.tiny);
+        } else {
+            m2 = exact->m2 * (1 + e.variance) + e.lerp2 + e.tiny;
+        }
+        v.most = guarded_most(&guard, chain->central, v.most, m2);
+    }
+    double most = cantelli(v.most + UNDERFLOW, nearest);
+    double least = guarded ? exact->p : cantelli(v.least, exact->behind + off);
     return fmin(fmax(most - exact->p, exact->p - least) + LAST_ROUNDINGS, 1);
 }
 
-float p_today(const Chain *chain, const Estimate *estimate, float t)
+float p_at_least_4u(const Chain *chain, const Estimate *estimate, float t)
 {
     float u = (float)fmax(chain->format->roundoff, ROUNDOFF);
     float m2 = estimate->variance + estimate->mean * estimate->mean;

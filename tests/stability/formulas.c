@@ -1,7 +1,9 @@
 #include "tests/stability/formulas.h"
 
-#include <float.h> // FLT_MIN
-#include <math.h>  // ilogbf
+#include <float.h>  // FLT_MIN
+#include <math.h>   // fmaxf
+#include <stdint.h> // uint32_t
+#include <string.h> // memcpy
 
 const Format formats[FORMATS] = {
     {.name = "fp32", .digits = 24, .roundoff = 0, .tiny = 0},
@@ -13,20 +15,42 @@ const Format formats[FORMATS] = {
      .tiny = 0x1p-24},
 };
 
+// 2^exponent, for normal numbers.
+static float power_of_2(int exponent)
+{
+    uint32_t bits = (uint32_t)(exponent + 127) << 23;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
 float format_store(const Format *format, float value)
 {
     if (format->digits == 24 || value == 0) {
         return value;
     }
-    int exponent = ilogbf(value);
-    float step = ldexpf(1, (exponent < -14 ? -14 : exponent) - 10);
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    int exponent = (int)(bits >> 23 & 0xff) - 127;
+    float step = power_of_2((exponent < -14 ? -14 : exponent) - 10);
     float steps = value / step; // exact: step is a power of two
     return step * (format->truncates ? truncf(steps) : rintf(steps));
 }
 
+int chain_corners(const Chain *chain)
+{
+    return chain->lookup == LOOKUP_NONE ? 1 : 2;
+}
+
+// Of the map that is blurred.
+static int blurred_side(const Chain *chain)
+{
+    return chain->taps + chain_corners(chain) - 1;
+}
+
 int chain_side(const Chain *chain)
 {
-    return chain->factor * (chain->taps + 1);
+    return chain->factor * blurred_side(chain);
 }
 
 void lookup_weights(const Chain *chain, float weights[4])
@@ -95,11 +119,11 @@ static Pair texel(const Chain *chain, float depth)
     return store(chain, (Pair){depth, chain->central ? 0 : depth * depth});
 }
 
-// Every texel of a map of chain->taps + 1 squared.
+// Every texel of the map that is blurred.
 static void downsample(const Chain *chain, const Window *window, Pair *map)
 {
     int factor = chain->factor;
-    int side = chain->taps + 1;
+    int side = blurred_side(chain);
     for (int i = 0; i < side * side; i++) {
         Pair group[4];
         float weights[4];
@@ -115,25 +139,51 @@ static void downsample(const Chain *chain, const Window *window, Pair *map)
     }
 }
 
+static float lerp(float a, float b, float part)
+{
+    return a + part * (b - a);
+}
+
+static Pair lerp_pair(Pair a, Pair b, float part)
+{
+    return (Pair){lerp(a.first, b.first, part), lerp(a.second, b.second, part)};
+}
+
+static Pair look_up(const Chain *chain, const Pair corners[4])
+{
+    float weights[4];
+    switch (chain->lookup) {
+    case LOOKUP_NONE:
+        return corners[0];
+    case LOOKUP_LERPS:
+        return lerp_pair(lerp_pair(corners[0], corners[1], chain->across),
+                         lerp_pair(corners[2], corners[3], chain->across),
+                         chain->up);
+    default:
+        lookup_weights(chain, weights);
+        return merge(chain, corners, 1, weights, 4);
+    }
+}
+
 // Blurs rows, then columns: what is left is the lookup's 2 x 2 texels.
 static Pair filter(const Chain *chain, const Window *window)
 {
     Pair map[(MAX_TAPS + 1) * (MAX_TAPS + 1)];
     Pair rows[2 * (MAX_TAPS + 1)];
     Pair corners[4];
-    float weights[4];
-    int side = chain->taps + 1;
+    int side = blurred_side(chain);
+    int wide = chain_corners(chain);
     downsample(chain, window, map);
-    for (int i = 0; i < 2 * side; i++) {
-        rows[i] = store(chain, merge(chain, map + i / 2 * side + i % 2, 1,
+    for (int i = 0; i < wide * side; i++) {
+        rows[i] = store(chain, merge(chain, map + i / wide * side + i % wide, 1,
                                      chain->weights, chain->taps));
     }
-    for (int i = 0; i < 4; i++) {
-        corners[i] = store(chain, merge(chain, rows + i / 2 * 2 + i % 2, 2,
-                                        chain->weights, chain->taps));
+    for (int i = 0; i < wide * wide; i++) {
+        corners[i] =
+            store(chain, merge(chain, rows + i / wide * wide + i % wide, wide,
+                               chain->weights, chain->taps));
     }
-    lookup_weights(chain, weights);
-    return merge(chain, corners, 1, weights, 4);
+    return look_up(chain, corners);
 }
 
 static float guarded_variance(const Chain *chain, const Guard *guard,
@@ -142,10 +192,11 @@ static float guarded_variance(const Chain *chain, const Guard *guard,
     if (!chain->central) {
         return variance + (guard->variance * pair.second + guard->tiny);
     }
+    // What underflow took is inside the root: a square root magnifies it.
     float size = sqrtf(pair.first * pair.first + variance);
-    float deviation = sqrtf(variance) * (1 + guard->deviation) +
+    float deviation = sqrtf(variance + guard->tiny) * (1 + guard->deviation) +
                       guard->variance * size + guard->tiny_shift;
-    return deviation * deviation + guard->tiny;
+    return deviation * deviation;
 }
 
 Estimate estimate(const Chain *chain, const Window *window, const Guard *guard)
@@ -157,7 +208,8 @@ Estimate estimate(const Chain *chain, const Window *window, const Guard *guard)
         chain->central ? sign * pair.second : sign * (pair.second - square);
     variance = fmaxf(variance, 0);
     float most = fmaxf(guarded_variance(chain, guard, variance, pair), FLT_MIN);
-    float spread = chain->central ? guard->deviation * sqrtf(variance) : 0;
+    float spread =
+        chain->central ? guard->deviation * sqrtf(variance + guard->tiny) : 0;
     float behind = (window->t - pair.first) -
                    (guard->mean * pair.first + spread + guard->tiny_shift);
     float p = behind > 0 ? most / (most + behind * behind) : 1;
@@ -188,11 +240,12 @@ static long double axis_weight(const Chain *chain, int index, float between)
 Exact exact(const Chain *chain, const Window *window)
 {
     int side = chain_side(chain);
+    bool looks_up = chain->lookup != LOOKUP_NONE;
     long double across[MAX_SIDE];
     long double up[MAX_SIDE];
     for (int i = 0; i < side; i++) {
-        across[i] = axis_weight(chain, i, chain->across);
-        up[i] = axis_weight(chain, i, chain->up);
+        across[i] = axis_weight(chain, i, looks_up ? chain->across : 0);
+        up[i] = axis_weight(chain, i, looks_up ? chain->up : 0);
     }
     long double mean = 0;
     long double variance = 0;

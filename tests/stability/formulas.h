@@ -6,7 +6,7 @@
 
 #include <stdbool.h> // bool
 
-enum { MAX_TAPS = 33, MAX_SIDE = 2 * (MAX_TAPS + 1) };
+enum { MAX_TAPS = 129, MAX_SIDE = 2 * (MAX_TAPS + 1) };
 
 // How a texel keeps a number. What it stores is z (1 + d) + e with
 // |d| <= roundoff and |e| <= tiny (where z is below the normal numbers).
@@ -22,15 +22,26 @@ enum { FP32, FP16, FP16_TRUNCATED, FORMATS };
 extern const Format formats[FORMATS];
 
 // Mistakes to plant, so that the fuzzing is seen to find them.
-typedef enum Fault { NO_FAULT, VARIANCE_SIGN, NAIVE_MERGE } Fault;
+typedef enum Fault {
+    NO_FAULT,
+    VARIANCE_SIGN,
+    NAIVE_MERGE,
+    BOUND_TENTH,
+    BOUND_TENFOLD
+} Fault;
+
+// How 2 x 2 texels become one: by four weights, by a + w (b - a) along each
+// axis as a texture unit does it (raw moments only), or not at all.
+typedef enum Lookup { LOOKUP_WEIGHTS, LOOKUP_LERPS, LOOKUP_NONE } Lookup;
 
 // What happens to depths between the map and the bound: the mean of factor x
 // factor texels, a blur along u and one along v, a bilinear lookup.
 typedef struct Chain {
     const Format *format;
     bool central; // texels hold mean and variance, not M1 and M2
-    int factor;   // 1: no downsampling
-    int taps;     // of the blur, along each axis; 1: no blur
+    Lookup lookup;
+    int factor; // 1: no downsampling
+    int taps;   // of the blur, along each axis; 1: no blur
     float weights[MAX_TAPS];
     float across, up; // where the lookup is between 2 x 2 texels, 0 to 1
     Fault fault;
@@ -47,8 +58,8 @@ typedef struct Guard {
     float variance;   // raw: of M2; central: of sqrt(M2), to the deviation
     float deviation;  // central: of the deviation
     float mean;       // t - M1 shrinks by this much of M1
-    float tiny;       // and of underflow: added to the variance
-    float tiny_shift; // and to the shrinking
+    float tiny;       // whatever the moments: added to the variance
+    float tiny_shift; // and to the shrinking (central: and the deviation)
 } Guard;
 
 typedef struct Estimate {
@@ -65,11 +76,14 @@ typedef struct Exact {
     double most_depth; // the largest depth
 } Exact;
 
+// Blurred texels along an axis that the lookup reads: 2, or 1 without one.
+int chain_corners(const Chain *chain);
+// Texels of the map along an axis that the whole chain reads.
 int chain_side(const Chain *chain);
 void lookup_weights(const Chain *chain, float weights[4]);
 float format_store(const Format *format, float value);
 
-// The depth that a texel holds, where it was given `depth`: exact's input.
+// exact() takes the depths as the texels hold them, that is, stored.
 Estimate estimate(const Chain *chain, const Window *window, const Guard *guard);
 Exact exact(const Chain *chain, const Window *window);
 

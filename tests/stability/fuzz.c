@@ -7,21 +7,23 @@
 #include <string.h> // strcmp
 
 #include "tests/stability/bound.h"   // p_bound
-#include "tests/stability/search.h"  // search_worst
+#include "tests/stability/cases.h"   // print_case_rows
+#include "tests/stability/search.h"  // NO_PROMISE
 #include "tests/stability/windows.h" // random_window
 
 static const char usage[] =
-    "fuzz [--count N] [--seed N] [--csv] [--break variance-sign|naive-merge]\n"
+    "fuzz [--count N] [--seed N] [--csv] [--break MISTAKE]\n"
     "     checks N random windows; --csv prints each one's error\n"
-    "fuzz --table   p left in full shadow by gap and format\n"
-    "fuzz --search  the worst window that a search finds, by gap and format\n";
+    "fuzz --shadows  p left in full shadow by gap and format\n"
+    "fuzz --cases [--break MISTAKE]  extreme windows, as CSV\n"
+    "mistakes: variance-sign, naive-merge, bound-tenth, bound-tenfold\n";
+
+typedef enum What { WINDOWS, SAMPLES, SHADOWS, CASES } What;
 
 typedef struct Options {
     long count;
     unsigned long seed;
-    bool csv;
-    bool table;
-    bool search;
+    What what;
     Fault fault;
 } Options;
 
@@ -33,13 +35,27 @@ static void stop(const char *what)
 
 static Fault fault_named(const char *name)
 {
-    if (strcmp(name, "variance-sign") == 0) {
-        return VARIANCE_SIGN;
+    static const char *const names[] = {"", "variance-sign", "naive-merge",
+                                        "bound-tenth", "bound-tenfold"};
+    for (int fault = VARIANCE_SIGN; fault <= BOUND_TENFOLD; fault++) {
+        if (strcmp(names[fault], name) == 0) {
+            return (Fault)fault;
+        }
     }
-    if (strcmp(name, "naive-merge") != 0) {
-        stop("--break takes variance-sign or naive-merge");
+    stop("there is no such mistake");
+    return NO_FAULT;
+}
+
+static What what_named(const char *word)
+{
+    static const char *const names[] = {"", "--csv", "--shadows", "--cases"};
+    for (int what = SAMPLES; what <= CASES; what++) {
+        if (strcmp(names[what], word) == 0) {
+            return (What)what;
+        }
     }
-    return NAIVE_MERGE;
+    stop("what to do?");
+    return WINDOWS;
 }
 
 static Options read_options(int count, char **words)
@@ -47,24 +63,21 @@ static Options read_options(int count, char **words)
     Options options = {.count = 2000, .seed = 1};
     for (int i = 1; i < count; i++) {
         const char *value = i + 1 < count ? words[i + 1] : "";
-        bool takes_value = true;
         if (strcmp(words[i], "--count") == 0) {
             options.count = strtol(value, NULL, 10);
+            i++;
         } else if (strcmp(words[i], "--seed") == 0) {
             options.seed = strtoul(value, NULL, 10);
+            i++;
         } else if (strcmp(words[i], "--break") == 0) {
             options.fault = fault_named(value);
+            i++;
         } else {
-            takes_value = false;
-            options.csv |= strcmp(words[i], "--csv") == 0;
-            options.table |= strcmp(words[i], "--table") == 0;
-            options.search |= strcmp(words[i], "--search") == 0;
+            options.what = what_named(words[i]);
         }
-        i += takes_value;
     }
-    if (options.count < 1 ||
-        (count == 2 && !options.csv && !options.table && !options.search)) {
-        stop("what to do?");
+    if (options.count < 1) {
+        stop("--count takes a number from 1 on");
     }
     return options;
 }
@@ -77,21 +90,24 @@ static Chain random_chain(Random *random, Fault fault)
                    .across = (float)random_part(random),
                    .up = (float)random_part(random),
                    .fault = fault};
+    // Central moments are never looked up by a texture unit.
+    const Lookup lookups[] = {LOOKUP_WEIGHTS, LOOKUP_NONE, LOOKUP_LERPS};
+    chain.lookup = lookups[random_below(random, chain.central ? 2 : 3)];
     Kernel kernel = (Kernel)random_below(random, 3);
     chain_set_kernel(&chain, kernel, 1 + 2 * random_below(random, 8), random);
     return chain;
 }
 
-// What a window says. Ratios above 1 are failures.
+// What a window says.
 typedef struct Sample {
     Exact truth;
     Estimate raw;     // nothing added
     Estimate guarded; // with `auto`
     double variance, variance_bound;
-    double p_ratio;
-    double guarded_ratio;
+    double p_error, p_bound;
+    double guarded_error, guarded_bound;
     double below; // how far p with `auto` is below the lit share
-    double today; // and with 4 u M2
+    double at_4u; // and with 4 u M2, a maximum
 } Sample;
 
 static Sample measure(const Chain *chain, const Window *window)
@@ -103,19 +119,19 @@ static Sample measure(const Chain *chain, const Window *window)
                 .guarded = estimate(chain, window, &guard)};
     s.variance = fabs((double)s.raw.variance - s.truth.variance);
     s.variance_bound = variance_bound(chain, &s.truth);
-    s.p_ratio =
-        fabs((double)s.raw.p - s.truth.p) / p_bound(chain, &s.truth, false);
-    s.guarded_ratio =
-        fabs((double)s.guarded.p - s.truth.p) / p_bound(chain, &s.truth, true);
+    s.p_error = fabs((double)s.raw.p - s.truth.p);
+    s.p_bound = p_bound(chain, &s.truth, false);
+    s.guarded_error = fabs((double)s.guarded.p - s.truth.p);
+    s.guarded_bound = p_bound(chain, &s.truth, true);
     s.below = s.truth.lit - (double)s.guarded.p;
-    s.today = s.truth.lit - (double)p_today(chain, &s.raw, window->t);
+    s.at_4u = s.truth.lit - (double)p_at_least_4u(chain, &s.raw, window->t);
     return s;
 }
 
 static bool sample_holds(const Sample *s)
 {
     // Comparisons with NaN are false: it does not hold.
-    return s->p_ratio <= 1 && s->guarded_ratio <= 1 &&
+    return s->p_error <= s->p_bound && s->guarded_error <= s->guarded_bound &&
            s->variance <= s->variance_bound && s->below <= LAST_ROUNDINGS;
 }
 
@@ -134,7 +150,8 @@ static void print_failure(const Chain *chain, const Window *window,
     printf("p %a, with auto %a, exact %a, lit %a\n", (double)s->raw.p,
            (double)s->guarded.p, s->truth.p, s->truth.lit);
     printf("of its bound: p %.3g, with auto %.3g; variance %a, bound %a\n",
-           s->p_ratio, s->guarded_ratio, s->variance, s->variance_bound);
+           s->p_error / s->p_bound, s->guarded_error / s->guarded_bound,
+           s->variance, s->variance_bound);
     printf("t %a, weights", (double)window->t);
     for (int i = 0; i < chain->taps; i++) {
         printf(" %a", (double)chain->weights[i]);
@@ -158,10 +175,17 @@ static void print_sample(const Chain *chain, const Sample *s)
     }
 }
 
+// The largest part of a bound that is reached. Where a bound promises nothing,
+// an error of 1 is all of it.
 static double severity(const Sample *s)
 {
-    double worst = fmax(s->p_ratio, s->guarded_ratio);
-    worst = fmax(worst, s->variance / s->variance_bound);
+    double worst = s->variance / s->variance_bound;
+    if (s->p_bound <= NO_PROMISE) {
+        worst = fmax(worst, s->p_error / s->p_bound);
+    }
+    if (s->guarded_bound <= NO_PROMISE) {
+        worst = fmax(worst, s->guarded_error / s->guarded_bound);
+    }
     worst = s->below > LAST_ROUNDINGS ? fmax(worst, 1 + s->below) : worst;
     return sample_holds(s) ? worst : fmax(worst, 1.0000001);
 }
@@ -170,12 +194,12 @@ static int fuzz(const Options *options)
 {
     Random random = {options->seed};
     long failures = 0;
-    long today = 0;
+    long at_4u = 0;
     double worst = 0;
     Chain worst_chain = {0};
     static Window window, worst_window;
-    Sample worst_sample = {.p_ratio = 0};
-    if (options->csv) {
+    Sample worst_sample = {.p_error = 0};
+    if (options->what == SAMPLES) {
         printf("format,taps,condition,error_bits,bound_bits\n");
     }
     for (long i = 0; i < options->count; i++) {
@@ -183,21 +207,21 @@ static int fuzz(const Options *options)
         random_window(&random, &chain, &window);
         Sample sample = measure(&chain, &window);
         failures += !sample_holds(&sample);
-        today += sample.today > LAST_ROUNDINGS;
+        at_4u += sample.at_4u > LAST_ROUNDINGS;
         if (severity(&sample) > worst) {
             worst = severity(&sample);
             worst_chain = chain;
             worst_window = window;
             worst_sample = sample;
         }
-        if (options->csv) {
+        if (options->what == SAMPLES) {
             print_sample(&chain, &sample);
         }
     }
-    if (!options->csv) {
-        printf("%ld windows, %ld beyond the bound, largest part of it %.4f\n",
+    if (options->what != SAMPLES) {
+        printf("%ld windows, %ld beyond the bound, largest part of it %.3f\n",
                options->count, failures, worst);
-        printf("below the lit share with 4 u M2: %ld\n", today);
+        printf("below the lit share with 4 u M2: %ld\n", at_4u);
     }
     if (failures > 0) {
         print_failure(&worst_chain, &worst_window, &worst_sample);
@@ -205,84 +229,17 @@ static int fuzz(const Options *options)
     return failures > 0;
 }
 
-static Chain case_chain(int format, bool central, int taps)
-{
-    Chain chain = {.format = &formats[format],
-                   .central = central,
-                   .factor = 1,
-                   .across = 0.375F,
-                   .up = 0.625F};
-    chain_set_kernel(&chain, KERNEL_BOX, taps, NULL);
-    return chain;
-}
-
-// A wall at 0.9 - gap over a receiver at 0.9: p should be 0, and is what `auto`
-// leaves. Predicted: its bound.
-static void print_shadow(const Chain *chain, double gap)
-{
-    static Window window;
-    Guard guard = guard_of(chain);
-    int side = chain_side(chain);
-    for (int i = 0; i < side * side; i++) {
-        window.depths[i] = (float)(0.9 - gap);
-    }
-    window.t = 0.9F;
-    Exact truth = exact(chain, &window);
-    Estimate today = estimate(chain, &window, &(Guard){0});
-    printf("%-14s %-7s %4d %7.0e %9.2g %9.2g %9.2g\n", chain->format->name,
-           kind_of(chain), chain->taps, gap,
-           (double)estimate(chain, &window, &guard).p,
-           p_bound(chain, &truth, true),
-           (double)p_today(chain, &today, window.t));
-}
-
-static void print_worst(const Chain *chain, double gap)
-{
-    SearchCase search = {.chain = *chain,
-                         .nearest = 0.5,
-                         .farthest = 1,
-                         .gap = gap,
-                         .steps = 2000,
-                         .seed = 1};
-    SearchResult worst = search_worst(&search);
-    printf("%-14s %-7s %4d %7.0e %9.2g %9.2g ", chain->format->name,
-           kind_of(chain), chain->taps, gap, worst.error, worst.bound);
-    if (worst.bound > NO_PROMISE) {
-        printf("no promise\n");
-    } else {
-        printf("%10.3f\n", worst.ratio);
-    }
-}
-
-static void print_cases(void (*print)(const Chain *chain, double gap),
-                        const int *taps)
-{
-    for (int format = FP32; format < FORMATS; format++) {
-        for (int central = 0; central < 2; central++) {
-            for (int i = 0; i < 2; i++) {
-                Chain chain = case_chain(format, central == 1, taps[i]);
-                for (int decade = 1; decade <= 6; decade++) {
-                    print(&chain, pow(10, -decade));
-                }
-            }
-        }
-    }
-}
-
 int main(int count, char **words)
 {
     Options options = read_options(count, words);
-    if (options.table) {
-        printf("%-14s %-7s %4s %7s %9s %9s %9s\n", "format", "moments", "taps",
-               "gap", "p left", "predicted", "4 u M2");
-        print_cases(print_shadow, (const int[]){5, 15});
+    switch (options.what) {
+    case SHADOWS:
+        print_shadow_table();
         return 0;
-    }
-    if (options.search) {
-        printf("%-14s %-7s %4s %7s %9s %9s %10s\n", "format", "moments", "taps",
-               "gap", "error", "bound", "ratio");
-        print_cases(print_worst, (const int[]){1, 5});
+    case CASES:
+        print_case_rows(options.fault);
         return 0;
+    default:
+        return fuzz(&options);
     }
-    return fuzz(&options);
 }

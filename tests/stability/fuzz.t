@@ -1,6 +1,7 @@
-# The formulas of steps 3 to 5 on random depths, in float against long double:
-# every error is within its bound (tests/stability/bound.h), and p with `auto`
-# is never below the lit share. And the fuzzing finds planted mistakes.
+# The formulas of steps 3 to 5 on random depths and on extreme ones, in float
+# against long double: every error is within its bound (tests/stability/bound.h),
+# p with `auto` is never below the lit share, and no bound is merely generous.
+# Planted mistakes are found, those in the bound itself as well.
 use strict;
 use warnings;
 
@@ -18,10 +19,66 @@ for my $seed ( 1, 2 ) {
 is( command( $fuzz, '--count', 50 )->{out},
     command( $fuzz, '--count', 50 )->{out}, 'the same windows every time' );
 
-for my $fault ( 'variance-sign', 'naive-merge' ) {
+for my $fault (qw(variance-sign naive-merge bound-tenth)) {
     my $run = command( $fuzz, '--break', $fault );
     is( $run->{status}, 1, "$fault is found" );
     like( $run->{out}, qr/^depths 0x/m, 'and its worst window printed' );
 }
+
+# The rows of --cases as hashes.
+sub cases {
+    my ( $head, @lines ) = split /\n/, command( $fuzz, '--cases', @_ )->{out};
+    my @rows;
+    for (@lines) {
+        my %row;
+        @row{ split /,/, $head } = split /,/, $_, -1;
+        push @rows, \%row;
+    }
+    return @rows;
+}
+
+# How many rows are beyond their bound or not finite, and in how many of those
+# whose bound promises something a search reaches a tenth of it: of all, and of
+# those without `auto`, which is a good part of its own bound.
+sub summary {
+    my @rows     = @_;
+    my @promised = grep { $_->{searched} ne '' } @rows;
+    my @bare     = grep { $_->{minimum} eq 'none' } @promised;
+    my $share    = sub {
+        return @_ ? grep( { $_->{searched} >= 0.1 } @_ ) / @_ : 0;
+    };
+    return (
+        scalar( grep { !( $_->{ratio} <= 1 ) || $_->{nonfinite} } @rows ),
+        scalar( grep { $_->{searched} > 1 } @promised ),
+        $share->(@promised), $share->(@bare), scalar @promised
+    );
+}
+
+my @rows = cases();
+my ( $beyond, $searched, $all, $bare, $promised ) = summary(@rows);
+is( $beyond,   0, scalar(@rows) . ' cases: finite, and within their bound' );
+is( $searched, 0, "of $promised with a promise, a search leads beyond none" );
+cmp_ok( $all,  '>=', 0.5, 'it reaches a tenth of half of the bounds' );
+cmp_ok( $bare, '>=', 0.5, 'and of those without auto' );
+
+# How far p is from 0.5 for two planes, half each, over a thousand depths.
+sub largest {
+    my ( $case, $format, $moments, $most ) = @_;
+    my ($row) = grep {
+             $_->{case} eq $case
+          && $_->{format} eq $format
+          && $_->{moments} eq $moments
+          && $_->{minimum} eq 'none'
+    } @rows;
+    cmp_ok( $row->{largest}, '<=', $most, "$format $moments, $case: error" );
+    return;
+}
+largest( 'gap 1e-5', 'fp32', 'central', 0.01 );
+largest( 'gap 1e-2', 'fp16', 'central', 0.06 );
+
+( $beyond, $searched ) = summary( cases(qw(--break bound-tenth)) );
+cmp_ok( $beyond + $searched, '>', 0, 'bound-tenth: cases are beyond it' );
+( undef, undef, undef, $bare ) = summary( cases(qw(--break bound-tenfold)) );
+cmp_ok( $bare, '<', 0.5, 'bound-tenfold: the search says that it is generous' );
 
 done_testing;

@@ -1,77 +1,110 @@
 #include "tests/stability/search.h"
 
-#include <math.h> // fabs
+#include <math.h>   // fabs
+#include <string.h> // memcpy
 
 #include "tests/stability/bound.h" // p_bound
 
-static SearchResult measure(const SearchCase *search, const Window *window)
+Measured measure_window(const Chain *chain, Quantity quantity, bool guarded,
+                        const Window *window)
 {
-    const Chain *chain = &search->chain;
-    Guard guard = search->guarded ? guard_of(chain) : (Guard){0};
+    Guard guard = guarded ? guard_of(chain) : (Guard){0};
     Exact truth = exact(chain, window);
-    SearchResult result = {
-        .error = fabs((double)estimate(chain, window, &guard).p - truth.p),
-        .bound = p_bound(chain, &truth, search->guarded),
-        .window = *window};
-    result.ratio = result.error / result.bound;
-    return result;
-}
-
-static float within(const SearchCase *search, double depth)
-{
-    return (float)fmin(fmax(depth, search->nearest), search->farthest);
-}
-
-// Half of the texels on each plane, t on the farther one.
-static Window two_planes(const SearchCase *search, Random *random)
-{
-    Window window;
-    int side = chain_side(&search->chain);
-    float far =
-        within(search, search->nearest + search->gap +
-                           (search->farthest - search->nearest - search->gap) *
-                               random_part(random));
-    for (int i = 0; i < side * side; i++) {
-        window.depths[i] =
-            i % side < side / 2 ? within(search, far - search->gap) : far;
+    Estimate found = estimate(chain, window, &guard);
+    Measured m;
+    if (quantity == OF_P) {
+        m.error = fabs((double)found.p - truth.p);
+        m.bound = p_bound(chain, &truth, guarded);
+    } else {
+        m.error = fabs((double)found.variance - truth.variance);
+        m.bound = variance_bound(chain, &truth);
     }
-    window.t = far;
-    return window;
+    m.ratio = m.bound > 0 ? m.error / m.bound : m.error > 0;
+    m.finite =
+        isfinite(found.mean) && isfinite(found.variance) && isfinite(found.p);
+    return m;
 }
 
-// Moves some texels, or all, or t, by a random part of the gap or by bits.
-static void move(const SearchCase *search, Random *random, Window *window)
+static float between(double value, double least, double most)
 {
-    int side = chain_side(&search->chain);
-    int kind = random_below(random, 4);
-    double size = search->gap * pow(2, -24 * random_part(random));
+    return (float)fmin(fmax(value, least), most);
+}
+
+static void move_t(Place *place, double by)
+{
+    place->window.t = between((double)place->window.t + by, place->low,
+                              fmin(place->high + place->reach, 1));
+}
+
+static void move_depth(const Place *start, Place *place, int texel, double by)
+{
+    double was = start->window.depths[texel];
+    place->window.depths[texel] = between(
+        place->window.depths[texel] + by, fmax(was - start->reach, start->low),
+        fmin(was + start->reach, start->high));
+}
+
+// Moves a texel, some of them or all, or t: by a part of the reach or by bits.
+static void move(const Chain *chain, Random *random, const Place *start,
+                 Place *place)
+{
+    int texels = chain_side(chain) * chain_side(chain);
+    int kind = random_below(random, 5);
+    double size = start->reach * pow(2, -26 * random_part(random));
     double by = size * (2 * random_part(random) - 1);
-    int start = random_below(random, side * side);
-    int end = kind == 0 ? start + 1 : start + random_below(random, side * side);
-    if (kind == 3) {
-        window->t = within(search, window->t + by);
+    if (kind == 4) {
+        move_t(place, by);
         return;
     }
-    for (int i = start; i < end && i < side * side; i++) {
-        double own = kind == 1 ? by * random_part(random) : by;
-        window->depths[i] = within(search, window->depths[i] + own);
+    int first = random_below(random, texels);
+    int end = kind == 0   ? first + 1
+              : kind == 3 ? texels
+                          : first + random_below(random, texels);
+    first = kind == 3 ? 0 : first;
+    for (int i = first; i < end && i < texels; i++) {
+        double own = kind == 1 ? by : by * (2 * random_part(random) - 1);
+        move_depth(start, place, i, own);
     }
 }
 
-SearchResult search_worst(const SearchCase *search)
+// Only the texels that there are: a place has room for many.
+static void copy_place(const Chain *chain, const Place *from, Place *to)
+{
+    size_t texels = (size_t)chain_side(chain) * (size_t)chain_side(chain);
+    memcpy(to->window.depths, from->window.depths,
+           texels * sizeof to->window.depths[0]);
+    to->window.t = from->window.t;
+    to->low = from->low;
+    to->high = from->high;
+    to->reach = from->reach;
+}
+
+double search_worst(const SearchCase *search)
 {
     Random random = {search->seed};
-    Window start = two_planes(search, &random);
-    SearchResult best = measure(search, &start);
+    static Place start, best, next;
+    double ratio = -1;
+    double most = 0;
     for (int i = 0; i < search->steps; i++) {
         // Now and then from elsewhere: hills have tops that are not the top.
-        Window next = i % 64 == 0 ? two_planes(search, &random) : best.window;
-        move(search, &random, &next);
-        SearchResult result = measure(search, &next);
-        bool counts = result.bound <= NO_PROMISE;
-        if (counts && (best.bound > NO_PROMISE || result.ratio > best.ratio)) {
-            best = result;
+        if (i % 200 == 0) {
+            search->start(search->context, &random, &start);
+            copy_place(&search->chain, &start, &best);
+            ratio = -1;
         }
+        copy_place(&search->chain, &best, &next);
+        if (ratio >= 0) {
+            move(&search->chain, &random, &start, &next);
+        }
+        Measured m = measure_window(&search->chain, search->quantity,
+                                    search->guarded, &next.window);
+        bool promise = search->quantity != OF_P || m.bound <= NO_PROMISE;
+        double now = promise ? m.ratio : 0;
+        if (now > ratio) {
+            ratio = now;
+            copy_place(&search->chain, &next, &best);
+        }
+        most = fmax(most, now);
     }
-    return best;
+    return most;
 }

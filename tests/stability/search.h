@@ -8,25 +8,39 @@
 
 #define NO_PROMISE 0.1 // a larger bound says nothing about a visibility
 
+// What is compared with long double, and with its bound.
+typedef enum Quantity { OF_P, OF_VARIANCE } Quantity;
+
+// A window, and what it may become.
+typedef struct Place {
+    Window window;
+    double low, high; // of all depths; t: from low to high and `reach` more
+    double reach;     // no depth moves further than this from where it was
+} Place;
+
 typedef struct SearchCase {
-    Chain chain;    // format, raw or central, filter
-    double nearest; // the depth range to stay in, within [0, 1]
-    double farthest;
-    double gap;   // between the two planes to start from
+    Chain chain; // format, raw or central, filter
+    Quantity quantity;
     bool guarded; // with `auto`, or with nothing added
-    int steps;    // tries; 2000 take about 0.1 s at 5 taps
+    int steps;    // tries; 2000 take about 0.1 s at 7 taps
     uint64_t seed;
+    // Where to start: sets the place, another one each time.
+    void (*start)(const void *context, Random *random, Place *place);
+    const void *context;
 } SearchCase;
 
-typedef struct SearchResult {
-    double error; // |p - exact p| in the window of the largest ratio
-    double bound; // predicted there; above NO_PROMISE: no promise
+typedef struct Measured {
+    double error; // |p - exact p|, or of the variance
+    double bound; // of p: above NO_PROMISE: no promise
     double ratio;
-    Window window;
-} SearchResult;
+    bool finite;
+} Measured;
 
-// Two planes `gap` apart, then better ones. Windows whose bound is above
-// NO_PROMISE are not searched; if even the first is one, it is returned.
-SearchResult search_worst(const SearchCase *search);
+Measured measure_window(const Chain *chain, Quantity quantity, bool guarded,
+                        const Window *window);
+
+// The largest ratio found, among windows whose bound is a promise; 0 if there
+// are none.
+double search_worst(const SearchCase *search);
 
 #endif

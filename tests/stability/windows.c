@@ -32,15 +32,29 @@ static float random_float(Random *random)
     return value;
 }
 
+static double kernel_weight(Kernel kernel, int taps, int i, Random *random)
+{
+    double from = (double)(i - taps / 2);
+    // exp(-x^2 / 2) is 1e-6 at 5.2565.
+    double sigmas = kernel == KERNEL_GAUSSIAN ? 6 * from / taps
+                                              : 2 * 5.2565 * from / (taps - 1);
+    switch (kernel) {
+    case KERNEL_GAUSSIAN:
+    case KERNEL_WIDE_GAUSSIAN:
+        return exp(-0.5 * sigmas * sigmas);
+    case KERNEL_RANDOM:
+        return random_part(random) + 1e-6;
+    default:
+        return 1;
+    }
+}
+
 void chain_set_kernel(Chain *chain, Kernel kernel, int taps, Random *random)
 {
     double weights[MAX_TAPS];
     double sum = 0;
     for (int i = 0; i < taps; i++) {
-        double from = 6.0 * (i - taps / 2) / taps;
-        weights[i] = kernel == KERNEL_BOX        ? 1
-                     : kernel == KERNEL_GAUSSIAN ? exp(-0.5 * from * from)
-                                                 : random_part(random) + 1e-6;
+        weights[i] = kernel_weight(kernel, taps, i, random);
         sum += weights[i];
     }
     chain->taps = taps;

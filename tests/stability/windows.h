@@ -15,7 +15,12 @@ uint32_t random_bits(Random *random);
 double random_part(Random *random);          // in [0, 1)
 int random_below(Random *random, int below); // 0 to below - 1
 
-typedef enum Kernel { KERNEL_BOX, KERNEL_GAUSSIAN, KERNEL_RANDOM } Kernel;
+typedef enum Kernel {
+    KERNEL_BOX,
+    KERNEL_GAUSSIAN,
+    KERNEL_RANDOM,
+    KERNEL_WIDE_GAUSSIAN // weights from 1e-6 of the largest
+} Kernel;
 
 // `taps` weights that add up to 1 but for their rounding.
 void chain_set_kernel(Chain *chain, Kernel kernel, int taps, Random *random);
