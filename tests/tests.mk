@@ -16,7 +16,7 @@ ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
     scene scene_table scene_build scene_daylight scene_closed scene_lamps \
-    mesh die)
+    scene_extreme mesh die)
 EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\
     $(firstword $(wildcard /usr/include/embree*/rtcore.h)))
 

@@ -10,6 +10,7 @@ base := \
     step1_shadowmap/base/scene_daylight.c \
     step1_shadowmap/base/scene_closed.c \
     step1_shadowmap/base/scene_lamps.c \
+    step1_shadowmap/base/scene_extreme.c \
     step1_shadowmap/base/mesh.h step1_shadowmap/base/mesh.c \
     step1_shadowmap/base/teapot.h \
     step1_shadowmap/base/view.h step1_shadowmap/base/view.c \

@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/scene.h"
 
-#include <math.h>   // cos, fmax, fmin, hypot, sin, sqrt, INFINITY
+#include <math.h>   // cos, fmax, fmin, hypot, isfinite, INFINITY
 #include <stdlib.h> // strtod
 #include <string.h> // memset, strchr, strcmp, strcspn, strncmp
 
@@ -238,6 +238,22 @@ static double distance_to_all(const Scene *scene)
            0.5 * distance_between(low, high);
 }
 
+// One vertex that is no number would spread over all that is fitted to it.
+static void check_object(const Scene *scene, const Object *object)
+{
+    for (size_t i = 0; i < object->mesh->vertex_count; i++) {
+        const MeshVertex *vertex = &object->mesh->vertices[i];
+        for (int k = 0; k < 3; k++) {
+            if (!isfinite(vertex->position[k]) ||
+                !isfinite(vertex->normal[k])) {
+                die("scene %s: object '%s': vertex %zu is not finite: mend its "
+                    "mesh, or leave it out",
+                    scene->name, object->name, i);
+            }
+        }
+    }
+}
+
 void scene_create(Scene *scene, const char *text, const char *light)
 {
     double own[SCENE_MAX_KEYS];
@@ -249,6 +265,9 @@ void scene_create(Scene *scene, const char *text, const char *light)
     const float sky[3] = {0.36f, 0.44f, 0.55f};
     memcpy(scene->background, sky, sizeof sky);
     entry->build(scene, own);
+    for (int i = 0; i < scene->object_count; i++) {
+        check_object(scene, &scene->objects[i]);
+    }
     if (common[KEY_ELEVATION] > 0) {
         raise_scene_light(scene, common[KEY_ELEVATION]);
     }

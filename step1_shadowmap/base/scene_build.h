@@ -65,4 +65,16 @@ void scene_build_offstage(Scene *scene, const double values[]);
 void scene_build_stage(Scene *scene, const double values[]);
 void scene_build_room(Scene *scene, const double values[]);
 
+// scene_extreme.c
+void scene_build_lamp(Scene *scene, const double values[]);
+void scene_build_enclosed(Scene *scene, const double values[]);
+void scene_build_headlamp(Scene *scene, const double values[]);
+void scene_build_overhead(Scene *scene, const double values[]);
+void scene_build_coplanar(Scene *scene, const double values[]);
+void scene_build_slivers(Scene *scene, const double values[]);
+void scene_build_broken(Scene *scene, const double values[]);
+void scene_build_cut(Scene *scene, const double values[]);
+void scene_build_stiff(Scene *scene, const double values[]);
+void scene_build_speck(Scene *scene, const double values[]);
+
 #endif

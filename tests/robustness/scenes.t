@@ -34,7 +34,7 @@ sub check_list {
 
 sub check_key {
     my ( $key, $least, $most ) = @_;
-    for my $value ( $least, $most ) {
+    for my $value ( $least, $key eq 'broken:vertex' ? () : $most ) {
         ok( draw( 1, '--scene', "$key=$value" ),
             "scene $key=$value is drawn" );
     }
@@ -46,6 +46,13 @@ sub check_key {
 }
 
 check_list();
+
+# Geometry that is not finite is refused, and the object named.
+for my $vertex ( 1, 2 ) {
+    stops { run( 1, '--scene', "broken:vertex=$vertex", qw(--output a.png) ) }
+    1, [ qr/broken/, qr/object 'sail'/, qr/not finite/ ],
+      "a vertex that is @{[ $vertex == 1 ? 'no number' : 'infinite' ]}";
+}
 
 ok( draw( 1, '--scene', 'bleed:r=4,scale=2,elevation=30' ),
     'several keys at once' );
