@@ -10,26 +10,6 @@ LINT_RECOGNISED := clang:command:clang clang-format:command:clang-format \
 set-up-tests: set-up
 	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the tests' $(TEST_RECOGNISED)
 
-# The oracle shares the scene table and the meshes with the programs, and
-# nothing else. No fused multiply-add: its error bounds count roundings.
-ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
-ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
-ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
-    scene scene_table scene_build scene_daylight scene_closed scene_lamps \
-    scene_extreme mesh die)
-EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\
-    $(firstword $(wildcard /usr/include/embree*/rtcore.h)))
-
-$(ORACLE_OBJECTS): PACKAGES := glm OpenImageIO
-$(ORACLE_OBJECTS): CXXFLAGS += -ffp-contract=off
-$(ORACLE_OBJECTS): WARNINGS := -Wall -Wextra -Wpedantic -Wshadow
-$(ORACLE_OBJECTS): | set-up-tests
-$(BUILD)/oracle: PACKAGES := OpenImageIO
-$(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED)
-	@echo link $@
-	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
--include $(ORACLE_OBJECTS:.o=.d)
-
 # The formulas on their own, in C: roundings are counted here too.
 STABILITY_SOURCES := $(wildcard tests/stability/*.c)
 STABILITY_OBJECTS := $(STABILITY_SOURCES:%=$(BUILD)/obj/%.o)
@@ -42,6 +22,28 @@ $(BUILD)/fuzz: $(STABILITY_OBJECTS)
 	@echo link $@
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm
 -include $(STABILITY_OBJECTS:.o=.d)
+
+# The oracle shares the scene table and the meshes with the programs, and
+# nothing else; with the fuzzing the bounds on rounding. No fused multiply-add: its error bounds count roundings.
+ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
+ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
+ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
+    scene scene_table scene_build scene_daylight scene_closed scene_lamps \
+    scene_extreme mesh die)
+ORACLE_BOUNDS := $(patsubst %,$(BUILD)/obj/tests/stability/%.c.o,\
+    bound formulas search windows)
+EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\
+    $(firstword $(wildcard /usr/include/embree*/rtcore.h)))
+
+$(ORACLE_OBJECTS): PACKAGES := glm OpenImageIO
+$(ORACLE_OBJECTS): CXXFLAGS += -ffp-contract=off
+$(ORACLE_OBJECTS): WARNINGS := -Wall -Wextra -Wpedantic -Wshadow
+$(ORACLE_OBJECTS): | set-up-tests
+$(BUILD)/oracle: PACKAGES := OpenImageIO
+$(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED) $(ORACLE_BOUNDS)
+	@echo link $@
+	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
+-include $(ORACLE_OBJECTS:.o=.d)
 
 ifeq ($(origin STEP),command line)
 TESTS = tests/images/step$(STEP).t

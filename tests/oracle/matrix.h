@@ -3,11 +3,15 @@
 #define ORACLE_MATRIX_H
 
 #include "tests/oracle/dump.h"
+#include "tests/oracle/interval.h"
 #include "tests/oracle/report.h"
 #include "tests/oracle/scene_table.h"
 
 // receiver.exr is map_from_relative times position.exr.
 void check_receiver(const Run &run, Report &report);
+
+// Every depth t that 32-bit arithmetic may make of a relative position.
+Interval receiver_depth(const MapView &view, const glm::dvec3 &p);
 
 // The view follows from the scene's light and casters.
 void check_view(const Run &run, const SceneTable &table, int layer,

@@ -31,7 +31,7 @@ static Interval projected(const glm::dvec4 &row, const MapView &view,
 
 // The light's position rounded, a difference, and the length of three such (4
 // more), near and the factor rounded, a product and a sum.
-static Interval depth(const MapView &view, const glm::dvec3 &p)
+Interval receiver_depth(const MapView &view, const glm::dvec3 &p)
 {
     if (view.parallel())
         return product(view.rows[2], p);
@@ -105,7 +105,7 @@ static bool right_place(const MapView &view, const Receiver &r, double &worst)
     const glm::dvec3 &p = r.position;
     bool right = agrees(r.u, projected(view.rows[0], view, p), worst);
     right &= agrees(r.v, projected(view.rows[1], view, p), worst);
-    return right & agrees(r.t, depth(view, p), worst);
+    return right & agrees(r.t, receiver_depth(view, p), worst);
 }
 
 void check_receiver(const Run &run, Report &report)

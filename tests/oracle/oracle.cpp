@@ -21,6 +21,7 @@
 #include "tests/oracle/scene_table.h"
 #include "tests/oracle/serve.h"
 #include "tests/oracle/shading.h"
+#include "tests/oracle/stability.h"
 #include "tests/oracle/stage.h"
 #include "tests/oracle/truth_checks.h"
 #include "tests/oracle/two_depths.h"
@@ -44,6 +45,7 @@ static const char *const USAGE =
     "apart,\n"
     "           [chain=1] where the error comes from, [lower=0] without that\n"
     "           bound, [keep=DIR] truths from and for other runs\n"
+    "  stability  CSV of what the numbers have lost, and of its bound\n"
     "  truths   the truths themselves where they are known: scenes edge,\n"
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
     "  disc     step 2 --pattern poisson against grid=DIR, a dump of the "
@@ -227,6 +229,11 @@ static int answer(const Words &given)
     try {
         if (check == "errors") {
             run_errors(words[0], rest);
+            return 0;
+        }
+        if (check == "stability") {
+            Arguments(rest, {});
+            print_stability(load_separable(words[0]));
             return 0;
         }
         if (check == "compare")

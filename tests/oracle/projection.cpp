@@ -3,11 +3,19 @@
 #include <cmath>                        // isinf
 #include <glm/gtc/matrix_transform.hpp> // lookAt, perspective
 
+// Where the camera looks along its up vector, x takes its place.
+static glm::dvec3 up_for(const glm::dvec3 &forward, const glm::dvec3 &up)
+{
+    double across = glm::length(glm::cross(glm::normalize(forward), up));
+    return across < 1e-6 * glm::length(up) ? glm::dvec3(1, 0, 0) : up;
+}
+
 PictureCamera::PictureCamera(const Camera &camera, int width, int height)
     : width_(width), height_(height)
 {
     glm::dvec3 forward = vec3_of(camera.target) - vec3_of(camera.position);
-    glm::dmat4 view = glm::lookAt(glm::dvec3(0), forward, vec3_of(camera.up));
+    glm::dmat4 view = glm::lookAt(glm::dvec3(0), forward,
+                                  up_for(forward, vec3_of(camera.up)));
     // Any near and far will do: rays and pixels do not depend on them.
     clip_ = glm::perspective(camera.fov_y, width_ / height_, 1.0, 2.0) * view;
     inverse_ = glm::inverse(clip_);

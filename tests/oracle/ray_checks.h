@@ -3,10 +3,19 @@
 #define ORACLE_RAY_CHECKS_H
 
 #include "tests/oracle/dump.h"
+#include "tests/oracle/ray_compare.h"
 #include "tests/oracle/rays.h"
 #include "tests/oracle/report.h"
 
-// The map's depths against parallel rays through its texel centres.
+// Whether surfaces that the depth test cannot tell apart count as one.
+enum class DepthTest { EXACT, ROUNDED };
+
+// The map's depths, along rays through its texel centres.
+RayComparison compare_ray_depths(const Run &run, const RayScene &rays,
+                                 double extent, int layer, DepthTest test,
+                                 double &worst_rounding);
+
+// The same, judged; the depth test is taken as exact.
 void check_ray_depths(const Run &run, const RayScene &rays, double extent,
                       int layer, Report &report);
 
@@ -48,8 +57,8 @@ void check_bias(const Run &run, const Scene &scene, const RayScene &rays,
 // t = `start` on (Embree needs it to begin before what it should hit).
 Ray map_ray(const MapView &view, double u, double v, double start);
 
-// Whether something is before the near plane of a split on such a ray: it casts
-// from there, at depth 0.
+// Whether something is before the near plane of a parallel light on such a ray:
+// it casts from there, at depth 0.
 bool before_near(const MapView &view, const RayScene &rays, const Ray &ray,
                  double start);
 

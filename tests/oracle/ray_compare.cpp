@@ -103,6 +103,16 @@ static bool at_silhouette(const RayScene &rays, const RayAt &ray_at,
     return false;
 }
 
+void RayComparison::add(double found, double most)
+{
+    worst = std::max(worst, found);
+    if (found <= largest_share * most)
+        return;
+    largest_share = found / most;
+    error = found;
+    allowed = most;
+}
+
 Verdict compare_with_rays(const RayScene &rays, const RayAt &ray_at,
                           const Measured &measured, RayComparison &count)
 {
@@ -110,8 +120,8 @@ Verdict compare_with_rays(const RayScene &rays, const RayAt &ray_at,
     if (centre.agrees(measured.value)) {
         count.agrees++;
         if (measured.value != centre.distance) // also not two infinities
-            count.worst = std::max(count.worst,
-                                   std::abs(measured.value - centre.distance));
+            count.add(std::abs(measured.value - centre.distance),
+                      centre.tolerance);
         return Verdict::AGREES;
     }
     if (at_silhouette(rays, ray_at, measured)) {

@@ -24,6 +24,10 @@ constexpr double MOST_SILHOUETTE = 2 * SUBPIXEL;
 struct RayComparison {
     size_t agrees = 0, silhouette = 0, differs = 0;
     double worst = 0; // largest error where it agrees
+    // The error that is the largest share of what is allowed there, and that.
+    double largest_share = 0, error = 0, allowed = 0;
+
+    void add(double found, double most); // an error that is allowed
 
     void add(const RayComparison &other)
     {

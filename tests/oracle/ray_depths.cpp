@@ -17,14 +17,14 @@ Ray map_ray(const MapView &view, double u, double v, double start)
 bool before_near(const MapView &view, const RayScene &rays, const Ray &ray,
                  double start)
 {
-    if (!view.split())
+    if (!view.parallel())
         return false;
     glm::dvec3 at_near = ray.origin - start * ray.direction;
     return rays.occluded({at_near, -ray.direction});
 }
 
-// What is before a split's near plane is in its map at depth 0. False: nothing
-// is there, and the texel has to be compared.
+// What is before a parallel light's near plane is in its map at depth 0. False:
+// nothing is there, and the texel has to be compared.
 static bool count_clamped(const MapView &view, const RayScene &rays,
                           const RayAt &ray_at, double start, double value,
                           RayComparison &count)
@@ -59,8 +59,21 @@ static Measured measured_texel(const Run &run, const MapView &view, int x,
     return {value, linear_depth(view, u, v, 1), beyond - value};
 }
 
-void check_ray_depths(const Run &run, const RayScene &rays, double extent,
-                      int layer, Report &report)
+// The depth test of a perspective view compares z / w = far / (far - near) (1 -
+// near / w) in 24 bits, and so cannot tell surfaces apart that are nearer to
+// each other than this part of the range, at distance w.
+static double depth_test_step(const MapView &view, double stored)
+{
+    if (view.parallel())
+        return 0;
+    double w = view.projected ? distance_along_axis(view, stored)
+                              : view.near + stored * (view.far - view.near);
+    return 4 * UNIT_ROUNDOFF * w * w / (view.near * view.far);
+}
+
+RayComparison compare_ray_depths(const Run &run, const RayScene &rays,
+                                 double extent, int layer, DepthTest test,
+                                 double &worst_rounding)
 {
     const MapView &view = run.views[size_t(layer)];
     Picture map = load_map(run, layer);
@@ -69,23 +82,33 @@ void check_ray_depths(const Run &run, const RayScene &rays, double extent,
     // A surface may lie exactly in the near plane: start a little before it.
     double start = -std::max(rounding, 1e-6);
     RayComparison count;
-    double worst_rounding = 0;
     for (int y = 0; y < map.height; y++)
         for (int x = 0; x < map.width; x++) {
             RayAt ray_at = [&](double dx, double dy) {
                 return map_ray(view, (x + 0.5 + dx) / map.width,
                                (y + 0.5 + dy) / map.height, start);
             };
-            if (view.split() &&
+            if (view.parallel() &&
                 count_clamped(view, rays, ray_at, start, map.at(x, y), count))
                 continue;
             Measured measured =
                 measured_texel(run, view, x, y, map.at(x, y), extent);
+            if (test == DepthTest::ROUNDED)
+                measured.rounding += depth_test_step(view, map.at(x, y));
             worst_rounding = std::max(worst_rounding, measured.rounding);
             measured.value -= start;
             measured.empty -= start;
             compare_with_rays(rays, ray_at, measured, count);
         }
+    return count;
+}
+
+void check_ray_depths(const Run &run, const RayScene &rays, double extent,
+                      int layer, Report &report)
+{
+    double worst_rounding = 0;
+    RayComparison count = compare_ray_depths(run, rays, extent, layer,
+                                             DepthTest::EXACT, worst_rounding);
     bool passed =
         count.differs == 0 && count.silhouette_share() <= MOST_SILHOUETTE;
     report.line(passed, "map depths against rays",

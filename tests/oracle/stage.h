@@ -3,7 +3,10 @@
 #ifndef ORACLE_STAGE_H
 #define ORACLE_STAGE_H
 
+#include <functional>
+
 #include "tests/oracle/dump.h"
+#include "tests/oracle/interval.h"
 #include "tests/oracle/rays.h"
 #include "tests/oracle/report.h"
 
@@ -23,6 +26,10 @@ void check_slope(const Run &run, const RayScene &rays, double extent, int layer,
 
 // blurred.L.exr from moments.L.exr, and its mean.
 void check_blur(const Run &run, int layer, Report &report);
+
+// Calls `use` for each pixel with the visibility that it may have.
+using UseExpected = std::function<void(const Receiver &, Interval)>;
+void for_each_expected(const Run &run, const UseExpected &use);
 
 // visibility.exr from receiver, normal and the filtered map.
 void check_visibility(const Run &run, Report &report);

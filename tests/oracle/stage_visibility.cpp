@@ -292,10 +292,8 @@ static void check_hardware(const Run &run, Report &report)
                 telling);
 }
 
-void check_visibility(const Run &run, Report &report)
+void for_each_expected(const Run &run, const UseExpected &use)
 {
-    if (run.settings.hardware)
-        return check_hardware(run, report);
     Receivers receivers(run);
     std::vector<Picture> maps;
     for (size_t i = 0; run.settings.shadows && i < run.views.size(); i++)
@@ -303,22 +301,30 @@ void check_visibility(const Run &run, Report &report)
     MipLookup mips(run);
     BoxLookup boxes(run);
     PcfWidth widths(run);
-    size_t shown = 0, untested = 0, wrong = 0;
-    double worst = 0, widest = 0;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            Interval truth =
-                expected_anywhere(run, r, {x, y, maps, mips, boxes, widths});
-            shown += r.shown ? 1 : 0;
-            if (truth.width() > WIDEST) {
-                untested++;
-                continue;
-            }
-            wrong += truth.contains(r.visibility) ? 0 : 1;
-            worst = std::max(worst, truth.distance(r.visibility));
-            widest = std::max(widest, truth.width());
+            use(r,
+                expected_anywhere(run, r, {x, y, maps, mips, boxes, widths}));
         }
+}
+
+void check_visibility(const Run &run, Report &report)
+{
+    if (run.settings.hardware)
+        return check_hardware(run, report);
+    size_t shown = 0, untested = 0, wrong = 0;
+    double worst = 0, widest = 0;
+    for_each_expected(run, [&](const Receiver &r, Interval truth) {
+        shown += r.shown ? 1 : 0;
+        if (truth.width() > WIDEST) {
+            untested++;
+            return;
+        }
+        wrong += truth.contains(r.visibility) ? 0 : 1;
+        worst = std::max(worst, truth.distance(r.visibility));
+        widest = std::max(widest, truth.width());
+    });
     size_t pixels = size_t(run.width) * size_t(run.height);
     report.line(wrong == 0, "stage visibility",
                 "%zu of %zu tested pixels outside, worst by %.3g, widest "
