@@ -69,6 +69,9 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/rep
 mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
+stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## the extreme cases, as a table and out/stability/results.csv
+	@VSM_BUILD=$(BUILD) perl tests/stability/stability.pl
+
 fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stability/fuzz.svg
 	@mkdir -p out/stability
 	@$(BUILD)/fuzz --count 40000 --csv >out/stability/fuzz.csv

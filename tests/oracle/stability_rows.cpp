@@ -163,13 +163,28 @@ static bool in_map(const Run &run, const Receiver &r)
            facing(r, run.views[size_t(r.layer)]) == Facing::TOWARDS;
 }
 
+// What the light-bleeding reduction by A makes of p: clamp((p - A) / (1 - A)).
+// Its errors are magnified by 1 / (1 - A), those of its own arithmetic too: A
+// is rounded, and so are two differences and the quotient.
+static void reduce(double a, Seen &seen)
+{
+    auto reduced = [a](double p) {
+        return std::clamp((p - a) / (1 - a), 0., 1.);
+    };
+    double p = reduced(seen.p);
+    double up = reduced(std::min(seen.p + seen.bound, 1.0)) - p;
+    double down = p - reduced(seen.p - seen.bound);
+    seen.bound = std::min(std::max(up, down) + 8 * ROUNDOFF / (1 - a), 1.0);
+    seen.lit = reduced(seen.lit);
+    seen.p = p;
+}
+
 StabilityRow p_row(const Run &run)
 {
     const Settings &s = run.settings;
     bool guarded = s.auto_variance;
-    if (s.reduces() || s.variance_bias != 0 ||
-        (!guarded && s.min_variance != 0))
-        throw BadInput("stability: p has to be the bare bound");
+    if (s.smooth || s.variance_bias != 0 || (!guarded && s.min_variance != 0))
+        throw BadInput("stability: no bound for such a p");
     StabilityRow row{"p"};
     Chain chain = chain_of(run), worst_chain = chain;
     Receivers receivers(run);
@@ -186,8 +201,10 @@ StabilityRow p_row(const Run &run)
                 continue;
             Seen seen =
                 see(run, r, maps[size_t(r.layer)], guarded, chain, *window);
+            if (s.bleed_reduction > 0)
+                reduce(s.bleed_reduction, seen);
             double error = std::abs(r.visibility - seen.p);
-            if (guarded)
+            if (guarded && !s.reduces())
                 row.below = std::max(row.below, seen.lit - r.visibility);
             // In front of the mean p is 1 without any arithmetic: that has to
             // be so, and is not counted.
@@ -201,7 +218,7 @@ StabilityRow p_row(const Run &run)
                 worst_chain = chain;
             }
         }
-    if (row.compared > 0)
+    if (row.compared > 0 && !s.reduces())
         row.searched = std::max(
             row.ratio, search_from(worst_chain, OF_P, guarded, *worst));
     return row;

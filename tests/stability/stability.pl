@@ -1,0 +1,495 @@
+#!/usr/bin/perl
+# The extreme cases, in every step that they apply to: what the numbers have
+# lost against double precision, what they may lose (bound.h), their ratio, and
+# how many values are not finite. Prints a table and writes
+# out/stability/results.csv; ends with "N passed, M failed".
+#     stability.pl          all of it
+#     stability.pl --quick  the few cases of `make test`
+use strict;
+use warnings;
+use FindBin;
+use lib "$FindBin::Bin/../lib";
+use File::Path qw(make_path remove_tree);
+use VSM;
+
+my $QUICK  = grep { $_ eq '--quick' } @ARGV;
+my $folder = root() . '/out/stability' . ( $QUICK ? '/quick' : '' );
+my $fuzz   = ( $ENV{VSM_BUILD} // root() . '/build' ) . '/fuzz';
+
+my @WORKERS = 1 .. 2;
+my @SMALL   = qw(--size 160x90);
+my @MAP     = qw(--map-size 128);
+
+# What the last roundings of p may take from the lit share (bound.h).
+my $LAST_ROUNDINGS = 12 * 2**-24;
+# Fewer pixels with a promise than this share of those behind the mean: none.
+my $LEAST_SHARE = 0.01;
+# What has to be there in the end.
+my $LEAST_COUNTED = 60;
+my $LEAST_REACHED = 0.1;    # of a bound, in half of the rows
+
+my @COLUMNS = qw(case step quantity moments format minimum compared all error
+  bound ratio searched nonfinite below verdict note);
+
+# --- the cases --------------------------------------------------------------
+
+# name, and what there is to know:
+#   options  of every step           steps   only these
+#   step     {n => [options]} more   not     {n => reason}
+#   formats  1: fp16 as well         quick   1: in `make test`
+#   map, size  in place of the small ones
+#   picture  options of the run whose picture it has to be within 1/255 of
+#   refused  {n => pattern}: exits with one line that matches
+my @cases;
+
+sub add_case {
+    my ( $name, %case ) = @_;
+    push @cases, { name => $name, %case };
+    return;
+}
+
+sub scene_case {
+    my ( $name, $scene, %case ) = @_;
+    my @options = @{ delete $case{options} // [] };
+    add_case( $name, options => [ '--scene', $scene, @options ], %case );
+    return;
+}
+
+my %NO_FILTER = map { $_ => 'no filter' } 1, 3;
+my %ONLY_5    = map { $_ => 'no such option before step 5' } 1 .. 4;
+
+for my $decade ( 1 .. 6 ) {
+    scene_case( "near:far 1:1e$decade, linear", "lamp:ratio=1e$decade" );
+    scene_case(
+        "near:far 1:1e$decade, projected",
+        "lamp:ratio=1e$decade",
+        step => { map { $_ => [qw(--depth projected)] } 3 .. 5 },
+        not  => { map { $_ => 'depth is linear' } 1, 2 },
+    );
+}
+for my $decade ( 1 .. 6 ) {
+    scene_case(
+        "gap 1e-$decade",
+        "edge:gap=1e-$decade",
+        formats => 1,
+        quick   => $decade == 2,
+    );
+}
+for my $offset (qw(0 1e3 1e5 1e7)) {
+    scene_case(
+        "offset $offset", "teapot:offset=$offset",
+        picture => $offset ? [qw(--scene teapot)] : undef,
+        quick   => $offset eq '1e7',
+    );
+}
+for my $scale (qw(1e-4 1e-2 1e2 1e4)) {
+    scene_case( "scale $scale", "teapot:scale=$scale",
+        picture => [qw(--scene teapot)] );
+}
+for my $degrees (qw(90 1 0.1 0.01)) {
+    my $along = $degrees == 90 ? ', along up' : '';
+    scene_case( "light at $degrees degrees$along",
+        "teapot:elevation=$degrees", quick => $degrees eq '0.01' );
+}
+scene_case( 'camera and light along up', 'overhead' );
+scene_case( 'light inside an occluder',  'enclosed', quick => 1 );
+scene_case( 'spot inside an occluder', 'enclosed',
+    options => [qw(--light spot)] );
+scene_case( 'camera at the light',       'headlamp' );
+scene_case( 'coplanar faces',            'coplanar' );
+scene_case( 'zero-area triangles',       'slivers', quick => 1 );
+scene_case( 'caster through the near plane', 'cut' );
+scene_case( 'receiver outside the map',  'edge' );
+scene_case( 'depth outside [0, 1] before the blur', 'cut:near=9.5,far=10',
+    quick => 1 );
+scene_case( 'map 1x1', 'teapot', map => '1x1',
+    step => { map { $_ => [qw(--radius 0)] } 4, 5 } );
+scene_case( 'map 1x300', 'teapot', map => '1x300',
+    step => { map { $_ => [qw(--radius 0)] } 4, 5 } );
+scene_case( 'map 300x1', 'teapot', map => '300x1',
+    step => { map { $_ => [qw(--radius 0)] } 4, 5 } );
+scene_case( 'map 131x77', 'teapot', map => '131x77' );
+scene_case( 'map of the driver\'s limit, 8 high', 'teapot',
+    map => 'LIMITx8' );
+scene_case( 'map beyond the driver\'s limit', 'teapot', map => 'BEYONDx8',
+    refused => { map { $_ => qr/--map-size .*limit/ } 1 .. 5 } );
+for my $radius ( 0, 64 ) {
+    my $width = 2 * $radius + 1;
+    scene_case(
+        "radius $radius", 'teapot',
+        map  => 192,
+        size => '80x45',
+        not  => {%NO_FILTER},
+        step => {
+            2 => [ '--kernel', $width ],
+            map { $_ => [ '--radius', $radius ] } 4, 5
+        },
+    );
+}
+scene_case( 'radius wider than the map', 'teapot',
+    not  => { %NO_FILTER, 2 => 'outside the map is lit' },
+    step => { map { $_ => [qw(--radius 64)] } 4, 5 },
+    refused => { map { $_ => qr/--radius 64 is wider than the map/ } 4, 5 },
+);
+scene_case( 'gaussian, radius 16', 'teapot',
+    not  => { %NO_FILTER, 2 => 'its taps weigh the same' },
+    step => { map { $_ => [qw(--blur gaussian --radius 16)] } 4, 5 } );
+scene_case( 'downsampled', 'teapot',
+    not  => { map { $_ => 'no downsampling before step 4' } 1 .. 3 },
+    step => { map { $_ => [qw(--downsample 2)] } 4, 5 } );
+scene_case( "spot cone $_ degrees", "lamp:cone=$_" ) for qw(0.1 1 179);
+scene_case( 'point light', 'room' );
+scene_case( 'four splits', 'avenue', options => [qw(--splits 4)] );
+scene_case( 'min variance 0', 'teapot', not => {%ONLY_5},
+    step => { 5 => [qw(--min-variance 0)] }, quick => 1, formats => 1 );
+scene_case( 'bleed reduction just under 1', 'teapot', not => {%ONLY_5},
+    step => { 5 => [qw(--bleed-reduction 0.9999)] } );
+scene_case( 'bleed reduction 1', 'teapot', not => {%ONLY_5},
+    step    => { 5 => [qw(--bleed-reduction 1)] },
+    refused => { 5 => qr/--bleed-reduction/ } );
+for ( [ 1, 'not a number' ], [ 2, 'infinite' ] ) {
+    my ( $vertex, $what ) = @$_;
+    scene_case( "a vertex that is $what", "broken:vertex=$vertex",
+        refused => { map { $_ => qr/object 'sail': .*not finite/ } 1 .. 5 },
+        quick   => $vertex == 1 );
+}
+scene_case( 'a far caster stretches the range 1e4 times',
+    'stiff:gap=1e-5,aside=3' );
+scene_case( 'gaps of 0.9 and 1e-5 under one filter', 'stiff:gap=1e-5',
+    formats => 1 );
+scene_case( '1 mm on a floor of 1 km', 'speck' );
+
+# --- the runs ---------------------------------------------------------------
+
+# The driver's limit, from what it says when asked for more.
+sub limit {
+    my $run = run( 1, @SMALL, qw(--map-size 32768 --output), "$folder/a.png" );
+    my ($limit) = $run->{err} =~ /limit of (\d+)x/
+      or die "no limit in: $run->{err}\n";
+    return $limit;
+}
+
+my %supports;    # "moments central": whether the programs have it
+
+sub has_central {
+    my $help = run( 3, '--help' )->{out};
+    return $help =~ /--moments/;
+}
+
+# What is stored, in the steps that store moments: name, format, options.
+sub variants {
+    my ( $case, $step ) = @_;
+    return [ '-', '-' ] if $step < 3;
+    my @moments = $supports{central} ? qw(raw central) : qw(raw);
+    my @formats = $case->{formats}   ? qw(rg32f rg16f) : qw(rg32f);
+    my @variants;
+    for my $moments (@moments) {
+        my @option = $supports{central} ? ( '--moments', $moments ) : ();
+        push @variants,
+          map { [ $moments, $_, '--format', $_, @option ] } @formats;
+    }
+    return @variants;
+}
+
+# A run of the program for each step and variant of a case.
+sub jobs {
+    my ($limit) = @_;
+    my @jobs;
+    for my $case ( grep { !$QUICK || $_->{quick} } @cases ) {
+        my $map = $case->{map} // '128';
+        $map =~ s/LIMIT/$limit/;
+        $map =~ s/BEYOND/2 * $limit/e;
+        for my $step ( 1 .. 5 ) {
+            for my $variant ( variants( $case, $step ) ) {
+                my ( $moments, $format, @stored ) = @$variant;
+                push @jobs,
+                  {
+                    case    => $case,
+                    step    => $step,
+                    moments => $moments,
+                    format  => $format,
+                    options => [
+                        '--size',
+                        $case->{size} // '160x90',
+                        '--map-size',
+                        $map,
+                        @stored,
+                        $step == 5 ? qw(--bleed-reduction 0) : (),
+                        $step == 5 && !$supports{central}
+                        ? qw(--min-variance 0)
+                        : (),
+                        @{ $case->{options} },
+                        @{ $case->{step}{$step} // [] },
+                    ],
+                  };
+            }
+        }
+    }
+    return @jobs;
+}
+
+sub row_of {
+    my ( $job, %more ) = @_;
+    my %options = @{ $job->{options} };
+    my $minimum = $job->{step} == 5 ? $options{'--min-variance'} // 'auto' : '-';
+    return {
+        case    => $job->{case}{name},
+        step    => $job->{step},
+        moments => $job->{moments},
+        format  => $job->{format},
+        minimum => $minimum,
+        %more
+    };
+}
+
+# The lines of a CSV table as hashes.
+sub table {
+    my ( $head, @lines ) = split /\n/, shift;
+    my @names = split /,/, $head;
+    my @rows;
+    for my $line (@lines) {
+        my %row;
+        @row{@names} = split /,/, $line, -1;
+        push @rows, \%row;
+    }
+    return @rows;
+}
+
+sub fails {
+    my ( $job, $note ) = @_;
+    $note =~ tr/,\n/; /;
+    return row_of( $job, verdict => 'FAILED', note => $note );
+}
+
+sub refused_row {
+    my ( $job, $pattern, $run ) = @_;
+    return fails( $job, "exit status $run->{status}: $run->{err}" )
+      unless ( $run->{status} == 1 || $run->{status} == 2 )
+      && !$run->{signal}
+      && $run->{err} =~ /\A[^\n]*$pattern[^\n]*\n\z/;
+    return row_of( $job, verdict => 'refused', note => 'with one line' );
+}
+
+# Whether two pictures are the same but for 1/255 on a thousandth of the pixels.
+sub picture_row {
+    my ( $job, $picture, $base ) = @_;
+    my $run = ask_oracle( 'compare', $picture, $base );
+    my ($over) = $run->{out} =~ m{share over 1/255 (\S+)}
+      or return fails( $job, "compare: $run->{out}" );
+    return row_of(
+        $job,
+        quantity  => 'picture',
+        compared  => 1,
+        all       => 1,
+        error     => $over,
+        bound     => 0.001,
+        ratio     => $over / 0.001,
+        searched  => '',
+        nonfinite => 0,
+        below     => 0,
+    );
+}
+
+# The rows of one run.
+sub rows_of {
+    my ( $job, $dump ) = @_;
+    my ( $case, $step ) = @$job{qw(case step)};
+    my $reason = $case->{not}{$step};
+    return row_of( $job, verdict => '-', note => $reason ) if defined $reason;
+    return row_of( $job, verdict => '-', note => 'one depth has no variance' )
+      if $step == 3 && $job->{moments} eq 'central';
+    remove_tree($dump);
+    make_path($dump);
+    my @options = @{ $job->{options} };
+    my $run     = run( $step, @options, '--dump', $dump, '--output',
+        "$dump.exr" );
+    my $pattern = $case->{refused}{$step};
+    return refused_row( $job, $pattern, $run ) if $pattern;
+    return fails( $job, "exit status $run->{status}: $run->{err}" )
+      if $run->{status} || $run->{signal};
+    my $answer = ask_oracle( 'stability', $dump );
+    return fails( $job, $answer->{out} ) if $answer->{status};
+    my @rows = map { row_of( $job, %$_ ) } table( $answer->{out} );
+    if ( $case->{picture} ) {
+        run( $step, @options, @{ $case->{picture} }, '--output',
+            "$dump.base.exr" );
+        push @rows, picture_row( $job, "$dump.exr", "$dump.base.exr" );
+    }
+    return @rows;
+}
+
+# --- the verdicts -----------------------------------------------------------
+
+sub judge {
+    my ($row) = @_;
+    return if defined $row->{verdict};
+    $row->{note} //= '';
+    my $holds =
+         $row->{nonfinite} == 0
+      && $row->{ratio} <= 1
+      && $row->{below} <= $LAST_ROUNDINGS;
+    my $share = $row->{all} ? $row->{compared} / $row->{all} : 0;
+    $row->{verdict} =
+        !$holds           ? 'FAILED'
+      : $row->{all} == 0  ? 'passed'
+      : $share < $LEAST_SHARE && $row->{quantity} eq 'p' ? 'no promise'
+      :                                                    'passed';
+    $row->{note} = 'nothing is behind its mean' if $row->{all} == 0;
+    return;
+}
+
+# A row with a bound that says something.
+sub counts {
+    my ($row) = @_;
+    return ( $row->{verdict} eq 'passed' || $row->{verdict} eq 'FAILED' )
+      && ( $row->{bound} // 0 ) > 0;
+}
+
+# The formulas alone, without a picture (cases.c).
+sub formula_rows {
+    my $run = command( $fuzz, '--cases' );
+    die "fuzz --cases: exit status $run->{status}\n" if $run->{status};
+    my @rows;
+    for my $row ( table( $run->{out} ) ) {
+        push @rows,
+          {
+            %$row,
+            case     => "$row->{case} ($row->{taps} taps)",
+            step     => 'formula',
+            quantity => 'p',
+            all      => 1000,
+            compared => $row->{searched} eq '' ? 0 : 1000,
+            below    => 0,
+          };
+    }
+    return @rows;
+}
+
+# --- the table --------------------------------------------------------------
+
+sub write_csv {
+    my @rows = @_;
+    my $text = join( ',', @COLUMNS ) . "\n";
+    for my $row (@rows) {
+        $text .= join(
+            ',',
+            map {
+                my $value = $row->{$_} // '';
+                $value =~ tr/,/;/;
+                $value
+            } @COLUMNS
+        ) . "\n";
+    }
+    spew( "$folder/results.csv", $text );
+    return;
+}
+
+sub number {
+    my ( $format, $value ) = @_;
+    return defined $value && $value ne '' ? sprintf $format, $value : '-';
+}
+
+sub print_row {
+    my ($row) = @_;
+    my $line = sprintf '%-44.44s %7s %-10s %-7s %-14s %-4s',
+      map { $_ // '-' } @$row{qw(case step quantity moments format minimum)};
+    if ( $row->{verdict} eq '-' || !defined $row->{ratio} ) {
+        print "$line $row->{verdict}: $row->{note}\n";
+        return;
+    }
+    my $share = $row->{all} ? 100 * $row->{compared} / $row->{all} : 0;
+    printf "%s %4.0f%% %9s %9s %6s %6s %2d  %s%s\n", $line, $share,
+      map( { number( '%.2g', $_ ) } @$row{qw(error bound)} ),
+      map( { number( '%.3f', $_ ) } @$row{qw(ratio searched)} ),
+      $row->{nonfinite}, $row->{verdict},
+      $row->{note} ? ": $row->{note}" : '';
+    return;
+}
+
+# The rows of all jobs, in their order; each worker takes every other one.
+sub run_jobs {
+    my @jobs = @_;
+    my @children;
+    for my $worker (@WORKERS) {
+        my $child = fork // die "cannot fork: $!\n";
+        if ( $child == 0 ) {
+            for ( my $i = $worker - 1 ; $i < @jobs ; $i += @WORKERS ) {
+                my @rows = rows_of( $jobs[$i], "$folder/dump$worker" );
+                judge($_) for @rows;
+                spew( "$folder/rows/$i",
+                    join "\n", map { encode($_) } @rows );
+            }
+            exit 0;
+        }
+        push @children, $child;
+    }
+    my @rows;
+    for my $child (@children) {
+        waitpid $child, 0;
+        die "a worker stopped with $?\n" if $?;
+    }
+    for my $i ( 0 .. $#jobs ) {
+        push @rows, map { decode($_) } split /\n/, slurp("$folder/rows/$i");
+    }
+    return @rows;
+}
+
+# A row as a line, and back.
+sub encode {
+    my ($row) = @_;
+    return join "\t", map { ( $_, $row->{$_} ) }
+      grep { defined $row->{$_} } sort keys %$row;
+}
+
+sub decode {
+    return { split /\t/, $_[0], -1 };
+}
+
+sub claim {
+    my ( $holds, $text ) = @_;
+    print $holds ? 'holds ' : 'FAILS ', $text, "\n";
+    return $holds ? 0 : 1;
+}
+
+remove_tree("$folder/rows");
+make_path("$folder/rows");
+$| = 1;
+$supports{central} = has_central();
+my @rows = run_jobs( jobs( $QUICK ? 0 : limit() ) );
+if ( !$QUICK ) {
+    my @formulas = formula_rows();
+    judge($_) for @formulas;
+    push @rows, @formulas;
+}
+printf "%-44s %7s %-10s %-7s %-14s %-4s %5s %9s %9s %6s %6s %2s  %s\n", 'case',
+  'step', 'quantity', 'moments', 'format', 'min.', 'of', 'error', 'bound',
+  'ratio', 'search', 'nf', 'verdict';
+print_row($_) for @rows;
+write_csv(@rows);
+remove_tree( "$folder/rows", map { "$folder/dump$_" } @WORKERS );
+unlink glob "$folder/*.exr $folder/a.png";
+
+my %verdicts;
+$verdicts{ $_->{verdict} }++ for @rows;
+my @counted = grep { counts($_) } @rows;
+my @reached = grep {
+    ( $_->{searched} // '' ) ne '' && $_->{searched} >= $LEAST_REACHED
+      || $_->{ratio} >= $LEAST_REACHED
+} @counted;
+my $failed = $verdicts{FAILED} // 0;
+print "\n";
+if ( !$QUICK ) {
+    $failed += claim( @counted >= $LEAST_COUNTED,
+        sprintf '%d rows are counted, at least %d', scalar @counted,
+        $LEAST_COUNTED );
+    $failed += claim( 2 * @reached >= @counted,
+        sprintf 'in %d of them a search or the picture itself reaches a tenth '
+          . 'of the bound: at least half',
+        scalar @reached );
+}
+printf "%d no promise, %d refused as they have to be, %d that do not apply\n",
+  map { $verdicts{$_} // 0 } 'no promise', 'refused', '-';
+printf "all of it: %s\n", "$folder/results.csv" =~ s{^\Q@{[root()]}/\E}{}r;
+printf "%d passed, %d failed\n",
+  ( $verdicts{passed} // 0 ) + ( $verdicts{refused} // 0 ), $failed;
+exit( $failed ? 1 : 0 );
