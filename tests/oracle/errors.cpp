@@ -3,11 +3,11 @@
 #include <algorithm> // nth_element, max, min
 #include <cmath>     // isfinite, sqrt
 #include <cstdio>    // printf
-#include <filesystem>
 #include <set>
 
 #include "tests/oracle/axis_kernel.h"
 #include "tests/oracle/chain.h"
+#include "tests/oracle/comparison.h"
 #include "tests/oracle/kept_truth.h"
 #include "tests/oracle/parallel.h"
 #include "tests/oracle/report.h" // BadInput
@@ -16,26 +16,6 @@
 
 namespace
 {
-
-enum class Kind : char { NOT_COUNTED, APART, NON_FINITE, COUNTED };
-
-// Two pictures of visibility: what one of them should be, and how far the
-// other is from it, pixel by pixel.
-struct Comparison {
-    std::string name;
-    Picture truth, error;
-    std::vector<Kind> kinds;
-
-    Comparison(const std::string &the_name, int width, int height)
-        : name(the_name), truth{width, height, 1, {}}, error{
-                                                           width, height, 1, {}}
-    {
-        size_t count = size_t(width) * size_t(height);
-        truth.values.resize(count);
-        error.values.resize(count);
-        kinds.resize(count, Kind::NOT_COUNTED);
-    }
-};
 
 // A truth's name, what it depends on besides the run, and how it is made.
 struct Wanted {
@@ -111,6 +91,8 @@ static Comparison compare(const Run &run, const std::vector<Pixel> &pixels,
         double error =
             kind == Kind::COUNTED ? value.error(pixel.receiver.visibility) : 0;
         comparison.truth.at(pixel.x, pixel.y) = float(value.value);
+        comparison.result.at(pixel.x, pixel.y) =
+            float(pixel.receiver.visibility);
         comparison.error.at(pixel.x, pixel.y) = float(error);
         comparison.kinds[index] = kind;
     }
@@ -127,7 +109,8 @@ static Comparison link(const std::vector<Kind> &kinds, const Picture &before,
     for (int y = 0; y < before.height; y++)
         for (int x = 0; x < before.width; x++) {
             size_t index = size_t(y) * size_t(before.width) + size_t(x);
-            comparison.truth.at(x, y) = after.at(x, y);
+            comparison.truth.at(x, y) = before.at(x, y);
+            comparison.result.at(x, y) = after.at(x, y);
             if (kinds[index] == Kind::COUNTED)
                 comparison.error.at(x, y) = after.at(x, y) - before.at(x, y);
         }
@@ -164,18 +147,6 @@ static void print(const std::string &name, const Comparison &comparison,
     std::printf("%s,%zu,%zu,%zu,%.6g,%.6g,%.6g,%.6g,%.6g\n", name.c_str(),
                 errors.size(), apart, non_finite, std::sqrt(squares / count),
                 p99, largest, double(over) / count, sum / count);
-}
-
-static void write(const std::string &folder, const std::string &name,
-                  const Comparison &comparison)
-{
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw BadInput(folder + ": cannot be made: " + failure.message());
-    save_picture(comparison.truth, folder + "/truth." + name + ".exr");
-    save_picture(comparison.error, folder + "/error." + name + ".exr");
-    save_bare(comparison.error, folder + "/error." + name + ".bin");
 }
 
 static std::string in_words(const char *format, double a, double b)
@@ -293,6 +264,16 @@ static void print_seams(const std::string &truth, const Comparison &comparison,
               [&](size_t i) { return seams[i] == name; });
 }
 
+// The truth that a technique is shown beside.
+static const Comparison &main_of(const std::vector<Comparison> &comparisons)
+{
+    for (const char *name : {"area", "footprint", "hard"})
+        for (const Comparison &comparison : comparisons)
+            if (comparison.name == name)
+                return comparison;
+    throw BadInput("no truth to show");
+}
+
 void print_errors(const Run &run, const ErrorOptions &options)
 {
     TruthScene scene(run);
@@ -304,6 +285,8 @@ void print_errors(const Run &run, const ErrorOptions &options)
     if (options.chain)
         for (Comparison &comparison : chain_of(scene, pixels, judges))
             comparisons.push_back(std::move(comparison));
+    if (!options.pictures_in.empty())
+        write_pictures(options.pictures_in, main_of(comparisons));
     std::printf("truth,pixels,apart,nonfinite,rmse,p99,max,share,mean\n");
     std::vector<std::string> seams;
     if (options.seams)
@@ -313,6 +296,6 @@ void print_errors(const Run &run, const ErrorOptions &options)
         if (options.seams)
             print_seams(comparison.name, comparison, seams);
         if (!options.write_into.empty())
-            write(options.write_into, comparison.name, comparison);
+            write_comparison(options.write_into, comparison);
     }
 }

@@ -17,8 +17,9 @@ struct ErrorOptions {
     // other from the light's truth to the program (see chain.h). Their signed
     // differences add up to program minus light's truth on every pixel.
     bool chain = false;
-    bool lower = true;   // the row of the lower bound
-    std::string keep_in; // a folder for truths, see kept_truth.h; or empty
+    std::string pictures_in; // a folder, or empty
+    bool lower = true;       // the row of the lower bound
+    std::string keep_in;     // a folder for truths, see kept_truth.h; or empty
 };
 
 // Prints CSV: truth,pixels,apart,nonfinite,rmse,p99,max,share,mean. Counted are
@@ -26,7 +27,10 @@ struct ErrorOptions {
 // N.L under 0.1) and the non-finite are in no other column; the share is that
 // of errors over 1/255, the mean that of the signed errors. Writes
 // truth.NAME.exr, error.NAME.exr and error.NAME.bin (bare floats), top row
-// first; the error is 0 where it is not counted.
+// first; the error is 0 where it is not counted. As pictures: truth.png,
+// result.png and difference.png (blue: too dark, red: too light) of the area
+// light's truth, else the footprint's, else the hard one; where a pixel is not
+// counted the truth's picture shows the program's value.
 void print_errors(const Run &run, const ErrorOptions &options);
 
 #endif

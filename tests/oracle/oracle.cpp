@@ -44,8 +44,9 @@ static const char *const USAGE =
     "           directional one at a distance of 1, [seams=1] of a cube "
     "apart,\n"
     "           [chain=1] where the error comes from, [lower=0] without that\n"
-    "           bound, [keep=DIR] truths from and for other runs\n"
-    "  stability  CSV of what the numbers have lost, and of its bound\n"
+     "           bound, [keep=DIR] truths from and for other runs,\n"
+     "           [pictures=DIR] truth, result and difference as PNG\n"
+     "  stability  CSV of what the numbers have lost, and of its bound\n"
     "  truths   the truths themselves where they are known: scenes edge,\n"
     "           bleed, empty, teapot:elevation=90 [rays=256] [light-size=0.2]\n"
     "  disc     step 2 --pattern poisson against grid=DIR, a dump of the "
@@ -145,11 +146,12 @@ static void run_shading(const Run &run, Report &report)
 static void run_errors(const std::string &folder, const Words &words)
 {
     Arguments arguments(words, {"rays", "light-size", "write", "seams", "chain",
-                                "lower", "keep"});
+                                "lower", "keep", "pictures"});
     ErrorOptions options;
     options.chain = arguments.number("chain", 0) != 0;
     options.lower = arguments.number("lower", 1) != 0;
     options.keep_in = arguments.text("keep", "");
+    options.pictures_in = arguments.text("pictures", "");
     options.seams = arguments.number("seams", 0) != 0;
     options.rays = arguments.number("rays", options.rays);
     options.light_size = arguments.number("light-size", 0);

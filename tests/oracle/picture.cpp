@@ -36,17 +36,27 @@ Picture load_picture(const std::string &path)
     return picture;
 }
 
-void save_picture(const Picture &picture, const std::string &path)
+static void save(const Picture &picture, const std::string &path,
+                 OIIO::TypeDesc type)
 {
     Picture turned = picture;
     turn_rows(turned);
     auto file = OIIO::ImageOutput::create(path);
-    OIIO::ImageSpec spec(turned.width, turned.height, turned.channels,
-                         OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec(turned.width, turned.height, turned.channels, type);
     if (!file || !file->open(path, spec) ||
         !file->write_image(OIIO::TypeDesc::FLOAT, turned.values.data()) ||
         !file->close())
         throw BadInput(path + ": cannot be written: " + OIIO::geterror());
+}
+
+void save_picture(const Picture &picture, const std::string &path)
+{
+    save(picture, path, OIIO::TypeDesc::FLOAT);
+}
+
+void save_bytes(const Picture &picture, const std::string &path)
+{
+    save(picture, path, OIIO::TypeDesc::UINT8);
 }
 
 void save_bare(const Picture &picture, const std::string &path)

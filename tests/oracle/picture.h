@@ -38,7 +38,10 @@ Picture load_picture(const std::string &path);
 // Writes a picture of 32-bit floats, top row first. Throws BadInput.
 void save_picture(const Picture &picture, const std::string &path);
 
-// The same as bare floats, for gnuplot.
+// Writes a picture of values from 0 to 1 in 8 bits each. Throws BadInput.
+void save_bytes(const Picture &picture, const std::string &path);
+
+// The same as save_picture, as bare floats, for gnuplot.
 void save_bare(const Picture &picture, const std::string &path);
 
 // NaN and infinite values. Count them first: comparisons call NaN equal.
