@@ -7,7 +7,7 @@ use warnings;
 
 use Exporter qw(import);
 
-our @EXPORT_OK = qw(@COLUMNS csv);
+our @EXPORT_OK = qw(@COLUMNS @CHAIN csv);
 
 my %TRUTH = (
     pcf       => 'the same weights on ideal depths (same-weights PCF)',
@@ -24,6 +24,7 @@ my %ERROR = (
     p99       => 'error that 99 % of the pixels do not exceed',
     max       => 'largest error',
     share     => 'share of the pixels with an error over 1/255',
+    mean      => 'mean of the signed errors: under 0 it is too dark',
 );
 my %PASS = (
     map     => 'filling the shadow map',
@@ -36,6 +37,21 @@ my %TIME = (
     q1 => 'first quartile',
     q3 => 'third quartile',
 );
+
+# The links of the error's chain: from one picture to the next, the first
+# being light truth. The signed differences add up to program minus light
+# truth on every pixel.
+our @CHAIN = (
+    [ footprint => 'the filter: footprint truth in place of light truth' ],
+    [ pcf       => 'the map\'s texels: same-weights PCF' ],
+    [ mean      => 'comparing with a filtered depth (steps 3 and 4)' ],
+    [ chebyshev => 'Chebyshev\'s bound, exact: light bleeding' ],
+    [ floor     => 'the minimum variance, and variance bias' ],
+    [ reduction => 'the light-bleeding reduction' ],
+    [ format    => 'the number format of the stored moments' ],
+    [ program   => 'what is left to the program: rasteriser, bias, lookup' ],
+);
+my %CHAIN = map { @$_ } @CHAIN;
 
 our @COLUMNS = (
     [ scene     => 'name of the scene' ],
@@ -59,8 +75,20 @@ our @COLUMNS = (
             map {
                 [ "${truth}_$_" =>
                       "visibility against $TRUTH{$truth}: $ERROR{$_}" ]
-            } qw(pixels apart nonfinite rmse p99 max share)
+            } qw(pixels apart nonfinite rmse p99 max share mean)
         } qw(pcf footprint light)
+    ),
+    [
+            butteraugli => 'perceptual difference of the visibility, as a grey '
+          . 'picture, to footprint truth (of a soft technique light truth): '
+          . 'Butteraugli\'s 3-norm, 1 is just noticeable'
+    ],
+    (
+        map {
+            my $link = $_->[0];
+            map { [ "chain_${link}_$_" => "of $CHAIN{$link}: $ERROR{$_}" ] }
+              qw(rmse mean)
+        } @CHAIN
     ),
     (
         map {

@@ -6,10 +6,11 @@ package Measure;
 use strict;
 use warnings;
 
-use Digest::SHA qw(sha1_hex);
-use Exporter    qw(import);
-use File::Path  qw(make_path remove_tree);
-use JSON::PP    ();
+use Digest::SHA  qw(sha1_hex);
+use Exporter     qw(import);
+use File::Path   qw(make_path remove_tree);
+use JSON::PP     ();
+use MIME::Base64 qw(encode_base64);
 use VSM;
 use Progress;
 
@@ -99,7 +100,7 @@ sub oracle_path { return ( program(1) =~ s{[^/]+$}{}r ) . 'oracle' }
 
 sub oracle_words {
     my ($point) = @_;
-    my @words = ("rays=$point->{rays}");
+    my @words = ( "rays=$point->{rays}", 'chain=1', 'lower=0' );
     push @words, "light-size=$point->{light_size}" if $point->{light_size};
     return @words;
 }
@@ -130,15 +131,51 @@ sub errors_of {
     );
     my @rows = table(
         answer(
-            command( oracle_path(), 'errors', $dump, oracle_words($point) )
+            command(
+                oracle_path(),                    'errors',
+                $dump,                            oracle_words($point),
+                'keep=' . truths_folder($folder), "pictures=$dump"
+            )
         )
     );
-    my $run = $JSON->decode( slurp("$dump/run.json") );
-    remove_tree($dump);
-    return {
+    my $run   = $JSON->decode( slurp("$dump/run.json") );
+    my %found = (
         truths => { map { delete $_->{truth} => $_ } @rows },
         map { $_ => $run->{$_} } qw(map_bytes gl_renderer gl_version),
-    };
+    );
+    my $seen = butteraugli($dump);
+    $found{butteraugli} = $seen           if defined $seen;
+    $found{pictures}    = pictures($dump) if $point->{pictured};
+    remove_tree($dump);
+    return \%found;
+}
+
+# Truths are kept for one build of the oracle; older ones are of no use.
+sub truths_folder {
+    my ($folder) = @_;
+    my $own = "$folder/kept/truths." . substr content( oracle_path() ), 0, 16;
+    return $own if -d $own;
+    remove_tree( glob "$folder/kept/truths.*" );
+    make_path($own);
+    return $own;
+}
+
+# How much of the difference is seen, by the measure that JPEG XL is tuned
+# with: the 3-norm over the picture of distances in just noticeable steps.
+# Nothing where it is not installed.
+my $BUTTERAUGLI = '/usr/bin/butteraugli_main';
+
+sub butteraugli {
+    my ($dump) = @_;
+    return unless -x $BUTTERAUGLI;
+    my $run = command( $BUTTERAUGLI, map { "$dump/$_.png" } qw(truth result) );
+    return $run->{out} =~ /^3-norm: ([\d.]+)$/m ? $1 + 0 : undef;
+}
+
+sub pictures {
+    my ($dump) = @_;
+    return { map { $_ => encode_base64( slurp("$dump/$_.png"), '' ) }
+          qw(truth result difference) };
 }
 
 # --- times -------------------------------------------------------------------
@@ -286,9 +323,11 @@ sub finish {
         $truths{light} = $truths{area} // $truths{hard};
         for my $truth ( keys %truths ) {
             my $columns = $truths{$truth};
-            $point->{"${truth}_$_"} = $columns->{$_} for keys %$columns;
+            $point->{ $truth =~ s/\./_/r . "_$_" } = $columns->{$_}
+              for keys %$columns;
         }
-        $point->{$_} = $found->{$_} for qw(map_bytes gl_renderer gl_version);
+        $point->{$_} = $found->{$_}
+          for qw(map_bytes gl_renderer gl_version butteraugli pictures);
     }
     summarise( $point, @timed ) if @timed;
     $point->{missing} //= 'not measured: it was broken off'
