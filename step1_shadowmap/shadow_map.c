@@ -86,8 +86,8 @@ void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
     glUniform1i(glGetUniformLocation(program, "layer"), layer);
     glClearBufferfv(GL_COLOR, 0, map->far);
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
-    geometry_draw(geometry, scene, &views->light[layer].seen, views->origin,
-                  program);
+    geometry_draw_shapes(geometry, scene, &views->light[layer].seen,
+                         views->origin);
     glDisable(GL_DEPTH_CLAMP);
 }
 

@@ -72,8 +72,7 @@ static void fill(const Deferred *deferred, const Scene *scene,
     glUseProgram(deferred->program.id);
     view_set_matrix(deferred->program.id, "clip_from_relative",
                     views->clip_from_relative);
-    geometry_draw(geometry, scene, &views->seen, views->origin,
-                  deferred->program.id);
+    geometry_draw(geometry, scene, &views->seen, views->origin);
 }
 
 // A triangle at far depth passes where something nearer was drawn: elsewhere
@@ -104,8 +103,7 @@ void deferred_draw(const Deferred *deferred, const SceneDraw *picture,
 {
     scene_draw_begin(picture, scene, views, map);
     if (deferred->program.id == 0) {
-        geometry_draw(geometry, scene, &views->seen, views->origin,
-                      picture->program.id);
+        geometry_draw(geometry, scene, &views->seen, views->origin);
     } else {
         fill(deferred, scene, geometry, views);
         shade(deferred, picture);

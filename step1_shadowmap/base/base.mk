@@ -21,6 +21,7 @@ base := \
     step1_shadowmap/base/region.h step1_shadowmap/base/region.c \
     step1_shadowmap/base/dvec.h \
     step1_shadowmap/base/draw_list.h step1_shadowmap/base/draw_list.c \
+    step1_shadowmap/base/shape.h step1_shadowmap/base/shape.c \
     step1_shadowmap/base/geometry.h step1_shadowmap/base/geometry.c \
     step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
     step1_shadowmap/shaders/surface.glsl \

@@ -218,8 +218,7 @@ void scene_draw(const SceneDraw *draw, const Scene *scene,
                 const Geometry *geometry, const Views *views, GLuint map)
 {
     scene_draw_begin(draw, scene, views, map);
-    geometry_draw(geometry, scene, &views->seen, views->origin,
-                  draw->program.id);
+    geometry_draw(geometry, scene, &views->seen, views->origin);
     scene_draw_end(draw);
 }
 

@@ -1,18 +1,18 @@
 // The scene as the light sees it, one layer of its map at a time.
 
-uniform mat4 relative_from_object;  // to positions relative to the camera
 uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
 uniform int layer;
 
 layout(location = 0) in vec3 object_position;
+layout(location = 2) in mat4x3 relative_from_object;  // one for each object
 
 out vec3 relative_position;
 
 void main()
 {
-    vec4 relative = relative_from_object * vec4(object_position, 1.0);
-    relative_position = relative.xyz;
-    vec4 map_position = map_from_relative[layer] * relative;
+    relative_position = relative_from_object * vec4(object_position, 1.0);
+    vec4 map_position =
+        map_from_relative[layer] * vec4(relative_position, 1.0);
     gl_Position =
         vec4(2.0 * map_position.xyz - map_position.w, map_position.w);
 }

@@ -2,8 +2,7 @@
 
 in vec3 relative_position;  // of the point, to the camera
 in vec3 surface_normal;     // in the world's axes, of any length
-
-uniform vec3 albedo;  // linear RGB
+flat in vec3 albedo;        // linear RGB
 
 // Unit, towards the viewer.
 vec3 viewer_normal()
