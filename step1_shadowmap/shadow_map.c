@@ -37,7 +37,8 @@ void bias_apply(const BiasSettings *settings, GLuint program)
 
 Program shadow_map_program(ShaderFiles files, const char *const shaders[])
 {
-    const char *const vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
+    const char *const vertex[] = {"step1_shadowmap/shaders/centre_out.glsl",
+                                  "step1_shadowmap/shaders/map.vert", NULL};
     const char *fragment[PROGRAM_MAX_FILES + 1] = {
         "step1_shadowmap/shaders/light_depth.glsl"};
     for (int i = 0; shaders[i] != NULL; i++) {

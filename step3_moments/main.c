@@ -7,8 +7,7 @@
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
-#include "step3_moments/moments.h"           // moments_create
+#include "step3_moments/moments.h"           // moments_draw
 
 enum { REACH = 1 }; // texels that a bilinear lookup reads to each side
 
@@ -21,7 +20,7 @@ static struct {
     Scene scene;
     Views views;
     Geometry geometry;
-    ShadowMap map; // of moments
+    MomentsMap map;
     SceneDraw picture;
     Stopwatch stopwatch;
     Window window;
@@ -67,20 +66,20 @@ static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
     if (base_shadows(&state.base)) {
-        shadow_map_draw(&state.map, &state.scene, &state.geometry,
-                        &state.views);
+        moments_draw(&state.map, &state.scene, &state.geometry, &state.views);
         stopwatch_lap(&state.stopwatch, "moments");
     }
     bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
-               state.map.texture);
+               state.map.texels.texture);
     stopwatch_lap(&state.stopwatch, "shading");
 }
 
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        shadow_map_dump(&state.map, "moments", state.base.dump);
+        moments_dump(&state.map, &state.scene, &state.geometry, &state.views,
+                     state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
                         &state.views, &state.stopwatch, state.map.bytes});
@@ -95,8 +94,8 @@ static void run_window(void)
                                  "step 3, format %s", state.moments.format);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled = shadow_map_reload(&state.map) &&
-                            scene_draw_reload(&state.picture);
+            bool compiled =
+                moments_reload(&state.map) && scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
         views_fit(&state.views, &state.scene, &state.base, REACH);
@@ -109,7 +108,7 @@ static void run_window(void)
 static void destroy(void)
 {
     scene_draw_destroy(&state.picture);
-    shadow_map_destroy(&state.map);
+    moments_destroy(&state.map);
     geometry_destroy(&state.geometry);
     context_destroy(&state.context);
     scene_destroy(&state.scene);

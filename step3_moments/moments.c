@@ -33,6 +33,14 @@ const Option moments_options[] = {
      .choices = "plane,derivatives",
      .help = "with --slope-term: the triangle's plane, or the depth of the "
              "next fragments"},
+    {.name = "msaa",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(MomentsSettings, msaa),
+     .minimum = 1,
+     .maximum = 64,
+     .argument = "N",
+     .help = "samples per texel while the map is drawn, of which it keeps the "
+             "moments"},
     {0},
 };
 
@@ -51,7 +59,8 @@ MomentsSettings moments_settings(void)
     return (MomentsSettings){.format = "rg32f",
                              .moments = "raw",
                              .depth = "linear",
-                             .slope_from = "plane"};
+                             .slope_from = "plane",
+                             .msaa = 1};
 }
 
 void moments_settings_check(const MomentsSettings *settings,
@@ -61,6 +70,11 @@ void moments_settings_check(const MomentsSettings *settings,
         die_usage("--slope-from %s needs --slope-term: add --slope-term or "
                   "drop --slope-from",
                   settings->slope_from);
+    }
+    if (settings->msaa > 1 && strcmp(settings->slope_from, "plane") != 0) {
+        die_usage("--slope-from %s: with --msaa %d the next fragment is not "
+                  "one texel away: drop one",
+                  settings->slope_from, settings->msaa);
     }
 }
 
@@ -102,43 +116,77 @@ const char *moments_between_shader(const MomentsSettings *settings)
                : "step3_moments/shaders/between_raw.glsl";
 }
 
+// Where in its texel a fragment has its position: in the middle, or with --msaa
+// at a place that its triangle covers. The files that hand it to the fragments,
+// and in which these get it.
+static const char *place_out(const MomentsSettings *settings)
+{
+    return settings->msaa > 1 ? "step3_moments/shaders/centroid_out.glsl"
+                              : "step1_shadowmap/shaders/centre_out.glsl";
+}
+
+static const char *place_in(const MomentsSettings *settings)
+{
+    return settings->msaa > 1 ? "step3_moments/shaders/centroid_in.glsl"
+                              : "step3_moments/shaders/centre_in.glsl";
+}
+
+static Program map_program(ShaderFiles files, const MomentsSettings *settings,
+                           const char *const fragment[])
+{
+    const char *const vertex[] = {place_out(settings),
+                                  "step1_shadowmap/shaders/map.vert", NULL};
+    return gl_program(files, vertex, fragment);
+}
+
 static Program raw_program(ShaderFiles files, const MomentsSettings *settings)
 {
-    const char *const fill[] = {moments_depth_shader(settings),
-                                "step3_moments/shaders/moments.frag", NULL};
-    return shadow_map_program(files, fill);
+    const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
+                                    moments_depth_shader(settings),
+                                    place_in(settings),
+                                    "step3_moments/shaders/moments.frag", NULL};
+    return map_program(files, settings, fragment);
 }
 
 static Program central_program(ShaderFiles files,
                                const MomentsSettings *settings)
 {
-    const char *const fill[] = {
-        moments_depth_shader(settings), moments_merge_shader(settings),
+    const char *const fragment[] = {
+        "step1_shadowmap/shaders/light_depth.glsl",
+        moments_depth_shader(settings),
+        place_in(settings),
+        moments_merge_shader(settings),
         moments_store_shader(settings),
-        "step3_moments/shaders/moments_central.frag", NULL};
-    return shadow_map_program(files, fill);
+        "step3_moments/shaders/moments_central.frag",
+        NULL};
+    return map_program(files, settings, fragment);
 }
 
 static Program derivatives_program(ShaderFiles files,
                                    const MomentsSettings *settings)
 {
-    const char *const fill[] = {moments_depth_shader(settings),
-                                "step3_moments/shaders/slope_derivatives.glsl",
-                                moments_merge_shader(settings),
-                                moments_store_shader(settings),
-                                "step3_moments/shaders/moments_slope.frag",
-                                NULL};
-    return shadow_map_program(files, fill);
+    const char *const fragment[] = {
+        "step1_shadowmap/shaders/light_depth.glsl",
+        moments_depth_shader(settings),
+        place_in(settings),
+        "step3_moments/shaders/slope_derivatives.glsl",
+        moments_merge_shader(settings),
+        moments_store_shader(settings),
+        "step3_moments/shaders/moments_slope.frag",
+        NULL};
+    return map_program(files, settings, fragment);
 }
 
 // Only a geometry shader sees a whole triangle.
 static Program plane_program(ShaderFiles files, const MomentsSettings *settings)
 {
-    const char *const vertex[] = {"step1_shadowmap/shaders/map.vert", NULL};
-    const char *const geometry[] = {"step3_moments/shaders/triangle_plane.geom",
-                                    NULL};
+    const char *const vertex[] = {"step3_moments/shaders/corner_out.glsl",
+                                  "step1_shadowmap/shaders/map.vert", NULL};
+    const char *const geometry[] = {
+        place_out(settings), "step3_moments/shaders/triangle_plane.geom", NULL};
     const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
                                     moments_depth_shader(settings),
+                                    place_in(settings),
                                     "step1_shadowmap/shaders/depth_slope.glsl",
                                     "step3_moments/shaders/slope_plane.glsl",
                                     moments_merge_shader(settings),
@@ -160,13 +208,64 @@ static Program create_program(ShaderFiles files,
                : derivatives_program(files, settings);
 }
 
-ShadowMap moments_create(ShaderFiles files, const Views *views,
-                         const MomentsSettings *settings)
+static Program resolve_program(ShaderFiles files,
+                               const MomentsSettings *settings)
 {
-    ShadowMap map = shadow_map_create(create_program(files, settings), views,
-                                      moments_format(settings), GL_LINEAR);
+    const char *const vertex[] = {"step1_shadowmap/shaders/fullscreen.vert",
+                                  NULL};
+    const char *const fragment[] = {moments_merge_shader(settings),
+                                    moments_store_shader(settings),
+                                    "step3_moments/shaders/resolve.frag", NULL};
+    return gl_program(files, vertex, fragment);
+}
+
+MomentsMap moments_create(ShaderFiles files, const Views *views,
+                          const MomentsSettings *settings)
+{
+    GLenum format = moments_format(settings);
+    MomentsMap map = {.texels =
+                          shadow_map_create(create_program(files, settings),
+                                            views, format, GL_LINEAR)};
     if (moments_are_central(settings)) {
-        map.far[1] = 0; // far depth does not vary
+        map.texels.far[1] = 0; // far depth does not vary
     }
+    if (settings->msaa > 1) {
+        map.samples =
+            multisample_create(resolve_program(files, settings), settings->msaa,
+                               format, views->width, views->height);
+    }
+    map.bytes = map.texels.bytes + map.samples.bytes;
     return map;
+}
+
+void moments_draw(const MomentsMap *map, const Scene *scene,
+                  const Geometry *geometry, const Views *views)
+{
+    if (map->samples.samples > 0) {
+        multisample_draw(&map->samples, &map->texels, scene, geometry, views);
+    } else {
+        shadow_map_draw(&map->texels, scene, geometry, views);
+    }
+}
+
+void moments_dump(const MomentsMap *map, const Scene *scene,
+                  const Geometry *geometry, const Views *views,
+                  const char *directory)
+{
+    shadow_map_dump(&map->texels, "moments", directory);
+    if (map->samples.samples > 0) {
+        multisample_dump(&map->samples, &map->texels, scene, geometry, views,
+                         directory);
+    }
+}
+
+bool moments_reload(MomentsMap *map)
+{
+    return shadow_map_reload(&map->texels) && multisample_reload(&map->samples);
+}
+
+void moments_destroy(MomentsMap *map)
+{
+    multisample_destroy(&map->samples);
+    shadow_map_destroy(&map->texels);
 }

@@ -5,6 +5,7 @@
 #include "step1_shadowmap/base/legend.h"  // ShowMode
 #include "step1_shadowmap/base/options.h" // Option
 #include "step1_shadowmap/shadow_map.h"   // ShadowMap
+#include "step3_moments/multisample.h"    // Multisample
 
 #include <stdbool.h>
 
@@ -14,6 +15,7 @@ typedef struct MomentsSettings {
     const char *depth;      // linear or projected
     bool slope_term;        // the depth's slope across a texel goes into M2
     const char *slope_from; // plane or derivatives
+    int msaa;               // samples per texel while the map is drawn
 } MomentsSettings;
 
 extern const Option moments_options[];
@@ -47,8 +49,28 @@ GLenum moments_format(const MomentsSettings *settings);
 // A shadow map of two channels, M1 = t and M2 = t^2 or (central) t and 0, and
 // with the slope term the variance of t across the texel added to the second.
 // It is looked up bilinearly: unlike depths, moments may be averaged.
-// shadow_map_draw fills it.
-ShadowMap moments_create(ShaderFiles files, const Views *views,
-                         const MomentsSettings *settings);
+typedef struct MomentsMap {
+    ShadowMap texels;    // what the next stage reads
+    Multisample samples; // with --msaa: what the texels are averages of
+    size_t bytes;        // of both
+} MomentsMap;
+
+MomentsMap moments_create(ShaderFiles files, const Views *views,
+                          const MomentsSettings *settings);
+
+// Draws what each view sees into its layer; see shadow_map_draw.
+void moments_draw(const MomentsMap *map, const Scene *scene,
+                  const Geometry *geometry, const Views *views);
+
+// Writes layer L as directory/moments.L.exr, and with --msaa what
+// multisample_dump writes, for which the scene is drawn again.
+void moments_dump(const MomentsMap *map, const Scene *scene,
+                  const Geometry *geometry, const Views *views,
+                  const char *directory);
+
+// Compiles the shaders again; see gl_program_reload.
+bool moments_reload(MomentsMap *map);
+
+void moments_destroy(MomentsMap *map);
 
 #endif

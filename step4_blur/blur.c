@@ -70,8 +70,9 @@ static GLuint create_weights(const BlurSettings *settings)
 }
 
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const MomentsSettings *moments, const ShadowMap *map)
+                 const MomentsSettings *moments, const MomentsMap *moments_map)
 {
+    const ShadowMap *map = &moments_map->texels;
     Blur blur = {.factor = settings->downsample,
                  .radius = settings->sat ? 0 : blur_used_radius(settings),
                  .anisotropy = settings->anisotropy,
@@ -149,9 +150,9 @@ static void blur_axes(const Blur *blur, GLuint source)
     draw_layers(blur, program, blur->horizontal.texture, &blur->vertical);
 }
 
-GLuint blur_apply(const Blur *blur, const ShadowMap *moments)
+GLuint blur_apply(const Blur *blur, const MomentsMap *moments)
 {
-    GLuint result = moments->texture;
+    GLuint result = moments->texels.texture;
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, blur->width, blur->height);
     if (blur->downsample_program.id != 0) {

@@ -3,8 +3,7 @@
 #define STEP4_BLUR_H
 
 #include "step1_shadowmap/base/options.h" // Option
-#include "step1_shadowmap/shadow_map.h"   // ShadowMap
-#include "step3_moments/moments.h"        // MomentsSettings
+#include "step3_moments/moments.h"        // MomentsMap
 #include "step4_blur/mips.h"              // Mips
 #include "step4_blur/sat.h"               // Sat
 
@@ -70,11 +69,11 @@ typedef struct Blur {
 
 // For a map that was created with these settings of its moments.
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const MomentsSettings *moments, const ShadowMap *map);
+                 const MomentsSettings *moments, const MomentsMap *moments_map);
 
 // Filters every layer and returns the texture that holds the result: the
 // moments themselves where there is nothing to do.
-GLuint blur_apply(const Blur *blur, const ShadowMap *moments);
+GLuint blur_apply(const Blur *blur, const MomentsMap *moments);
 
 enum { BLUR_MAX_SHADERS = 8 };
 

@@ -8,8 +8,7 @@
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
-#include "step3_moments/moments.h"           // moments_create
+#include "step3_moments/moments.h"           // moments_draw
 #include "step4_blur/blur.h"                 // blur_apply
 
 static struct {
@@ -22,7 +21,7 @@ static struct {
     Scene scene;
     Views views;
     Geometry geometry;
-    ShadowMap map; // of moments
+    MomentsMap map;
     Blur filter;
     GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
@@ -73,8 +72,7 @@ static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
     if (base_shadows(&state.base)) {
-        shadow_map_draw(&state.map, &state.scene, &state.geometry,
-                        &state.views);
+        moments_draw(&state.map, &state.scene, &state.geometry, &state.views);
         stopwatch_lap(&state.stopwatch, "moments");
         state.filtered = blur_apply(&state.filter, &state.map);
         stopwatch_lap(&state.stopwatch, "blur");
@@ -89,7 +87,8 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        shadow_map_dump(&state.map, "moments", state.base.dump);
+        moments_dump(&state.map, &state.scene, &state.geometry, &state.views,
+                     state.base.dump);
         blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
@@ -106,7 +105,7 @@ static void run_window(void)
                                  "step 4, radius %d", state.blur.radius);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled = shadow_map_reload(&state.map) &&
+            bool compiled = moments_reload(&state.map) &&
                             blur_reload(&state.filter) &&
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
@@ -123,7 +122,7 @@ static void destroy(void)
 {
     scene_draw_destroy(&state.picture);
     blur_destroy(&state.filter);
-    shadow_map_destroy(&state.map);
+    moments_destroy(&state.map);
     geometry_destroy(&state.geometry);
     context_destroy(&state.context);
     scene_destroy(&state.scene);

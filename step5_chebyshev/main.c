@@ -7,8 +7,7 @@
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
-#include "step3_moments/moments.h"           // moments_create
+#include "step3_moments/moments.h"           // moments_draw
 #include "step4_blur/blur.h"                 // blur_apply
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_apply
 #include "step5_chebyshev/deferred.h"        // deferred_draw
@@ -25,7 +24,7 @@ static struct {
     Scene scene;
     Views views;
     Geometry geometry;
-    ShadowMap map; // of moments
+    MomentsMap map;
     Blur filter;
     GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
@@ -80,8 +79,7 @@ static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
     if (base_shadows(&state.base)) {
-        shadow_map_draw(&state.map, &state.scene, &state.geometry,
-                        &state.views);
+        moments_draw(&state.map, &state.scene, &state.geometry, &state.views);
         stopwatch_lap(&state.stopwatch, "moments");
         state.filtered = blur_apply(&state.filter, &state.map);
         stopwatch_lap(&state.stopwatch, "blur");
@@ -97,7 +95,8 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        shadow_map_dump(&state.map, "moments", state.base.dump);
+        moments_dump(&state.map, &state.scene, &state.geometry, &state.views,
+                     state.base.dump);
         blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
@@ -114,7 +113,7 @@ static void run_window(void)
                                  "step 5, radius %d", state.blur.radius);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled = shadow_map_reload(&state.map) &&
+            bool compiled = moments_reload(&state.map) &&
                             blur_reload(&state.filter) &&
                             scene_draw_reload(&state.picture) &&
                             deferred_reload(&state.deferred);
@@ -133,7 +132,7 @@ static void destroy(void)
     deferred_destroy(&state.deferred);
     scene_draw_destroy(&state.picture);
     blur_destroy(&state.filter);
-    shadow_map_destroy(&state.map);
+    moments_destroy(&state.map);
     geometry_destroy(&state.geometry);
     context_destroy(&state.context);
     scene_destroy(&state.scene);

@@ -238,8 +238,7 @@ my %mutants = (
     ],
     'a normal from one edge and a corner' => [
         'moments', 'step3_moments/shaders/triangle_plane.geom',
-        'relative_position[2] - relative_position[0]',
-        'relative_position[2]'
+        'corner_position[2].xyz - first', 'corner_position[2].xyz'
     ],
     'a derivative for both axes' => [
         'moments', 'step3_moments/shaders/slope_derivatives.glsl',

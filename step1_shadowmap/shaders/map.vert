@@ -6,13 +6,11 @@ uniform int layer;
 layout(location = 0) in vec3 object_position;
 layout(location = 2) in mat4x3 relative_from_object;  // one for each object
 
-out vec3 relative_position;
-
 void main()
 {
-    relative_position = relative_from_object * vec4(object_position, 1.0);
-    vec4 map_position =
-        map_from_relative[layer] * vec4(relative_position, 1.0);
+    vec3 relative = relative_from_object * vec4(object_position, 1.0);
+    hand_on(relative);
+    vec4 map_position = map_from_relative[layer] * vec4(relative, 1.0);
     gl_Position =
         vec4(2.0 * map_position.xyz - map_position.w, map_position.w);
 }

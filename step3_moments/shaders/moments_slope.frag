@@ -7,7 +7,7 @@ layout(location = 0) out vec2 moments;
 // slope of what the light sees edge on.
 void main()
 {
-    float depth = map_depth(surface_position(), layer);
+    float depth = map_depth(relative_position, layer);
     float variance = depth > 0.0 && depth < 1.0 ? slope_variance(depth) : 0.0;
     moments = stored(moments_of(depth, variance));
 }

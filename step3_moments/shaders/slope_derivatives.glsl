@@ -2,13 +2,6 @@
 // published: M2 += 1/4 (dz/dx^2 + dz/dy^2). That is the variance of a plane's
 // depth under a Gaussian of standard deviation half a texel.
 
-in vec3 relative_position;
-
-vec3 surface_position()
-{
-    return relative_position;
-}
-
 // A derivative has no value in a branch that a neighbour may not take: so it is
 // taken here, before main() begins.
 uniform int layer;

@@ -2,22 +2,16 @@
 // texel: M2 += 1/4 (dz/dx^2 + dz/dy^2). That is the variance of a plane's depth
 // under a Gaussian of standard deviation half a texel. The distance from a spot
 // or point light is not linear in the map, even on a plane: this is its slope
-// in the middle of the texel.
+// at one place in the texel.
 
 uniform int layer;
 uniform vec2 map_size;  // texels
 
-in vec3 plane_position;
 flat in vec3 plane_normal;
-
-vec3 surface_position()
-{
-    return plane_position;
-}
 
 float slope_variance(float depth)
 {
     vec2 per_texel =
-        depth_slope(plane_position, plane_normal, layer, 1e-5) / map_size;
+        depth_slope(relative_position, plane_normal, layer, 1e-5) / map_size;
     return 0.25 * dot(per_texel, per_texel);
 }

@@ -1,20 +1,21 @@
-// Gives every fragment of a triangle the triangle's own normal.
+// Gives every fragment of a triangle the triangle's own normal, and hands its
+// position on.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 
-in vec3 relative_position[];
+in vec4 corner_position[];
 
-out vec3 plane_position;
 flat out vec3 plane_normal;
 
 void main()
 {
-    vec3 normal = cross(relative_position[1] - relative_position[0],
-                        relative_position[2] - relative_position[0]);
+    vec3 first = corner_position[0].xyz;
+    vec3 normal = cross(corner_position[1].xyz - first,
+                        corner_position[2].xyz - first);
     for (int i = 0; i < 3; i++) {
         gl_Position = gl_in[i].gl_Position;
-        plane_position = relative_position[i];
+        hand_on(corner_position[i]);
         plane_normal = normalize(normal);
         EmitVertex();
     }

@@ -167,6 +167,14 @@ my %OPTIONS = (
         bad     => [ 'both', '' ],
         allowed => qr/plane,\s?derivatives/,
     },
+    msaa => {
+        steps   => [ 3 .. 5 ],
+        differ  => [4],
+        same    => [1],
+        check   => \&check_msaa,
+        bad     => [ 0, 65, '', '4.0', 'x' ],
+        allowed => qr/numbers from 1 to 64/,
+    },
     blur => {
         steps   => [ 4, 5 ],
         differ  => [qw(none gaussian binomial)],
@@ -330,6 +338,26 @@ sub check_slope_term {
     is_refused( $step, [qw(--slope-from plane)],
         [qr/--slope-from plane needs --slope-term: add.*or drop/],
         '--slope-from without --slope-term' );
+    return;
+}
+
+# What the driver cannot make it says; --dump writes what is resolved.
+sub check_msaa {
+    my ($step) = @_;
+    is_refused( $step, [qw(--msaa 64)],
+        [qr/--msaa 64.*driver's limit of \d+ samples/],
+        'more samples than the driver has' );
+    is_refused( $step, [qw(--msaa 3)],
+        [qr/--msaa 3: this driver makes (\d+) samples.*give \1, or drop --msaa/],
+        'a number of samples that the driver does not have' );
+    run( $step, qw(--size 16x9 --msaa 4 --output p.exr --dump d) );
+    is_deeply(
+        [ grep { /sample/ } -d 'd' ? everything_below('d') : () ],
+        [ 'sample_positions.exr', map { "samples.0.$_.exr" } 0 .. 3 ],
+        "step $step: --msaa 4 --dump writes the samples"
+    );
+    unlink 'p.exr';
+    remove_tree('d');
     return;
 }
 

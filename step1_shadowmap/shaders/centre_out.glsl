@@ -1,0 +1,8 @@
+// What a fragment of the map gets: the position at its texel's centre.
+
+out vec3 relative_position;
+
+void hand_on(vec3 position)
+{
+    relative_position = position;
+}

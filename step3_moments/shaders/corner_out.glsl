@@ -1,0 +1,8 @@
+// What triangle_plane.geom gets: the positions of a triangle's corners.
+
+out vec4 corner_position;
+
+void hand_on(vec3 position)
+{
+    corner_position = position;
+}
