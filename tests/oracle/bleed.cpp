@@ -73,6 +73,8 @@ void check_bleed(const Run &run, const SceneTable &table, double r,
 {
     if (run.step != 5 || run.settings.bleed_reduction != 0)
         throw BadInput("bleed needs step 5 with bleed-reduction 0");
+    if (run.settings.msaa > 1)
+        throw BadInput("bleed knows no texels of several depths");
     MapRectangle upper(table, run, "upper"), lower(table, run, "lower");
     MapRectangle floor(table, run, "floor");
     double gap = floor.depth() - lower.depth();

@@ -88,18 +88,23 @@ static MomentMap blurred(const MomentMap &map, const Settings &settings,
     });
 }
 
-// As the steps make it: moments, downsampling, rows, columns. A table of sums
-// has its box exactly, so that only the moments themselves are stored.
-static MomentMap filtered(const IdealMap &ideal, const Settings &settings,
-                          const Store &store)
+// As the steps make it: moments, of samples and then of texels, downsampling,
+// rows, columns. A table of sums has its box exactly, so that only the moments
+// themselves are stored.
+static MomentMap filtered(const std::vector<IdealMap> &samples,
+                          const Settings &settings, const Store &store)
 {
     Store keep = [](const glm::dvec2 &m) { return m; };
     const Store &later = settings.sat ? keep : store;
-    MomentMap map =
-        map_of(ideal.width(), ideal.height(), store, [&](int x, int y) {
+    const IdealMap &one = samples.front();
+    MomentMap map = map_of(one.width(), one.height(), store, [&](int x, int y) {
+        glm::dvec2 sum(0);
+        for (const IdealMap &ideal : samples) {
             double depth = std::min(ideal.at(x, y), 1.0);
-            return glm::dvec2(depth, depth * depth);
-        });
+            sum += store(glm::dvec2(depth, depth * depth));
+        }
+        return sum / double(samples.size());
+    });
     int factor = settings.downsample;
     if (factor > 1) {
         MomentMap fine = map;
@@ -125,8 +130,8 @@ static std::shared_ptr<Maps> maps_of(const TruthScene &scene,
                                      const Store &store)
 {
     auto maps = std::make_shared<Maps>();
-    for (const IdealMap &ideal : scene.ideal)
-        maps->push_back(filtered(ideal, scene.run.settings, store));
+    for (const std::vector<IdealMap> &samples : scene.ideal)
+        maps->push_back(filtered(samples, scene.run.settings, store));
     return maps;
 }
 

@@ -114,6 +114,19 @@ double table_absolute(const Settings &settings)
     return 0.5 / steps + rounding_share(16);
 }
 
+double resolve_share(const Settings &settings)
+{
+    if (settings.msaa == 1)
+        return 0;
+    return (1 + rounding_share(settings.msaa)) * (1 + store_share(settings)) -
+           1;
+}
+
+double resolve_absolute(const Settings &settings)
+{
+    return settings.msaa == 1 ? 0 : store_absolute(settings);
+}
+
 double store_share(const Settings &settings)
 {
     return settings.half ? 0x1p-10 : 0;

@@ -36,6 +36,12 @@ double table_absolute(const Settings &settings);
 double store_share(const Settings &settings);
 double store_absolute(const Settings &settings);
 
+// The relative error of a texel's moments against the mean of its N samples,
+// and below 2^-14 the absolute one: N - 1 sums, a quotient, and a store. 0
+// without --msaa.
+double resolve_share(const Settings &settings);
+double resolve_absolute(const Settings &settings);
+
 // A bilinear lookup's error as a share of the largest of the four texels: two
 // nested interpolations a + w (b - a) (difference, product, sum: 3 each), or
 // four products with rounded weights, which is no more.

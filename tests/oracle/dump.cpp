@@ -105,6 +105,7 @@ static Settings settings_of(const json &options, int step)
     }
     if (step >= 3) {
         settings.half = stores_halves(options);
+        settings.msaa = options.at("msaa").get<int>();
         settings.slope_term = options.at("slope-term").get<bool>();
         settings.slope_derivatives = options.at("slope-from") == "derivatives";
         settings.projected = options.at("depth") == "projected";
@@ -151,6 +152,18 @@ static Run run_of(const json &root)
     return run;
 }
 
+static std::vector<glm::dvec2> load_places(const Run &run)
+{
+    int count = run.settings.msaa;
+    if (count == 1)
+        return {{0.5, 0.5}};
+    std::vector<glm::dvec2> places;
+    Picture file = load_file(run, "sample_positions.exr", count, 1, 2);
+    for (int i = 0; i < count; i++)
+        places.emplace_back(file.at(i, 0, 0), file.at(i, 0, 1));
+    return places;
+}
+
 Run load_run(const std::string &folder)
 {
     std::string path = folder + "/run.json";
@@ -160,6 +173,7 @@ Run load_run(const std::string &folder)
     try {
         Run run = run_of(json::parse(file));
         run.folder = folder;
+        run.places = load_places(run);
         return run;
     } catch (const json::exception &error) {
         throw BadInput(path + ": " + error.what());
@@ -190,6 +204,21 @@ Picture load_map(const Run &run, int layer)
     std::string name = moments ? "moments." : "depth.";
     return load_file(run, name + std::to_string(layer) + ".exr", view.width,
                      view.height, moments ? 2 : 1);
+}
+
+std::vector<Picture> load_samples(const Run &run, int layer)
+{
+    if (run.settings.msaa == 1)
+        return {load_map(run, layer)};
+    const MapView &view = run.views[size_t(layer)];
+    std::vector<Picture> samples;
+    for (int i = 0; i < run.settings.msaa; i++) {
+        std::string name =
+            "samples." + std::to_string(layer) + "." + std::to_string(i);
+        samples.push_back(
+            load_file(run, name + ".exr", view.width, view.height, 2));
+    }
+    return samples;
 }
 
 Picture load_filtered(const Run &run, int layer)

@@ -59,6 +59,7 @@ struct Settings {
     bool slope_term = false;
     bool slope_derivatives = false; // else from the triangle's plane
     bool half = false;              // moments are stored as 16-bit floats
+    int msaa = 1;                   // samples per texel
     Blur blur = Blur::NONE;
     int radius = 0;        // texels of the downsampled map
     int downsample = 1;    // map texels per downsampled texel, along an axis
@@ -90,6 +91,9 @@ struct Run {
     glm::dvec3 origin; // world space, the camera's position
     std::array<glm::dvec4, 4> clip_from_relative; // rows
     std::vector<MapView> views;                   // one per layer
+    // Where in a texel its depths are taken, in texels from the lower left
+    // corner: in the middle, and with --msaa where the driver says.
+    std::vector<glm::dvec2> places;
 };
 
 // Reads DIR/run.json. Throws BadInput when something is missing.
@@ -101,6 +105,10 @@ Picture load_file(const Run &run, const std::string &name, int width,
 
 // depth.L.exr (steps 1, 2) or moments.L.exr: channel 0 is the depth in both.
 Picture load_map(const Run &run, int layer);
+
+// The depths taken in a texel, before they are averaged: with --msaa
+// samples.L.S.exr for each place S, else the map itself.
+std::vector<Picture> load_samples(const Run &run, int layer);
 
 // blurred.L.exr in steps 4 and 5, moments.L.exr in step 3.
 Picture load_filtered(const Run &run, int layer);

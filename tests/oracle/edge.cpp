@@ -19,7 +19,15 @@ struct EdgeMap {
     int step;
     double floor, occluder; // depths t
     double depth_error;     // of a 32-bit depth, rasterised or of a pixel
-    std::vector<Place> under_floor, under_occluder; // per texel
+    // Per texel: the share of its samples that see the floor; UNKNOWN where one
+    // may see either, or something else.
+    std::vector<double> sees_floor;
+    static constexpr double UNKNOWN = -1;
+
+    double sees(int x, int y) const
+    {
+        return sees_floor[size_t(y) * size_t(view.width) + size_t(x)];
+    }
 };
 
 // What one pixel should be, and how far off it may be.
@@ -65,12 +73,10 @@ static bool uncovered(const EdgeMap &map, const Footprint &across,
                 continue;
             if (x < 0 || y < 0 || x >= map.view.width || y >= map.view.height)
                 return false;
-            size_t texel = size_t(y) * size_t(map.view.width) + size_t(x);
-            if (map.under_floor[texel] != Place::INSIDE ||
-                map.under_occluder[texel] == Place::AMBIGUOUS)
+            double sees = map.sees(x, y);
+            if (sees == EdgeMap::UNKNOWN)
                 return false;
-            bool covered = map.under_occluder[texel] == Place::INSIDE;
-            share += covered ? 0 : weight;
+            share += weight * sees;
         }
     share = std::min(share, 1.0); // the weights' own sum is rounded
     return true;
@@ -135,7 +141,7 @@ static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
 
 // The interval of p when a share q of the filter sees the floor. Exact
 // arithmetic gives p = q for a receiver on the floor. What is rounded:
-// - M1 and M2 by the blur and the lookup, and M2's square;
+// - M1 and M2 by a texel's mean, the blur and the lookup, and M2's square;
 // - each texel's depth by at most e: that moves M1 by e, as if t had moved,
 //   and the variance by at most 2 e sd + e^2;
 // - t itself by e.
@@ -148,8 +154,10 @@ static Interval p_interval(const EdgeMap &map, double q, double own_depth)
     double m2 = q * far * far + (1 - q) * near * near;
     double deviation = std::sqrt(q * (1 - q)) * (far - near);
     // The map's own store comes before the filter's.
-    double blur = blur_share(map.settings) + 1.01 * store_share(map.settings);
-    double tiny = blur_absolute(map.settings) + store_absolute(map.settings);
+    double blur = blur_share(map.settings) + 1.01 * store_share(map.settings) +
+                  1.01 * resolve_share(map.settings);
+    double tiny = blur_absolute(map.settings) + store_absolute(map.settings) +
+                  resolve_absolute(map.settings);
     double lookup = rounding_share(LOOKUP_ROUNDINGS);
     Interval wide_m1 = widened(m1, blur * m1 + lookup * far + tiny);
     Interval wide_m2 =
@@ -189,6 +197,23 @@ static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
     return prediction;
 }
 
+// What EdgeMap::sees_floor has of the texel with this lower left corner.
+static double floor_share(const MapRectangle &floor,
+                          const MapRectangle &occluder,
+                          const std::vector<glm::dvec2> &samples,
+                          const glm::dvec2 &corner)
+{
+    double count = 0;
+    for (const glm::dvec2 &sample : samples) {
+        Place place = occluder.place(corner + sample);
+        if (floor.place(corner + sample) != Place::INSIDE ||
+            place == Place::AMBIGUOUS)
+            return EdgeMap::UNKNOWN;
+        count += place == Place::OUTSIDE ? 1 : 0;
+    }
+    return count / double(samples.size());
+}
+
 static EdgeMap edge_map(const Run &run, const SceneTable &table)
 {
     if (run.step > 2 && run.step != 5)
@@ -201,10 +226,11 @@ static EdgeMap edge_map(const Run &run, const SceneTable &table)
                 floor.depth(),
                 occluder.depth(),
                 0,
-                {},
                 {}};
-    map.under_floor = places(floor, map.view);
-    map.under_occluder = places(occluder, map.view);
+    for (int y = 0; y < map.view.height; y++)
+        for (int x = 0; x < map.view.width; x++)
+            map.sees_floor.push_back(
+                floor_share(floor, occluder, run.places, {x, y}));
     // The vertices' rounding, the blend of three and the dot product with T:
     // 16 units of the numbers' size, as for the ray cast depths.
     double extent = scene_extent(table.scene, run.origin);
@@ -227,6 +253,38 @@ static void print(const char *what, const Tally &t, bool wants_penumbra,
                 "%zu of %zu pixels outside the bound (%zu with a mixed "
                 "filter), worst %.3g, widest bound %.3g, %zu untested",
                 t.wrong, t.tested, t.penumbra, t.worst, t.widest, t.untested);
+}
+
+// With --msaa a texel is between both depths by steps of 1 / N. Each sample's
+// depth is off by the rasteriser's rounding and its store, their mean by its
+// own.
+static void check_edge_texels(const Run &run, const EdgeMap &map,
+                              Report &report)
+{
+    Picture moments = load_map(run, 0);
+    double gap = map.floor - map.occluder, worst = 0;
+    double rounding = map.depth_error + resolve_absolute(run.settings) +
+                      store_absolute(run.settings) +
+                      map.floor * (resolve_share(run.settings) +
+                                   1.01 * store_share(run.settings));
+    size_t tested = 0, mixed = 0, wrong = 0;
+    for (int y = 0; y < moments.height; y++)
+        for (int x = 0; x < moments.width; x++) {
+            double share = map.sees(x, y);
+            if (share == EdgeMap::UNKNOWN)
+                continue;
+            double mean = map.occluder + share * gap;
+            double error = std::abs(double(moments.at(x, y)) - mean);
+            tested++;
+            mixed += share > 0 && share < 1 ? 1 : 0;
+            wrong += error <= rounding ? 0 : 1;
+            worst = std::max(worst, error);
+        }
+    report.line(wrong == 0 && mixed > 0,
+                "edge: a texel's mean is that of its samples",
+                "%zu of %zu texels off (%zu of both depths), worst by %.3g, "
+                "rounding %.3g",
+                wrong, tested, mixed, worst, rounding);
 }
 
 void check_edge(const Run &run, const SceneTable &table, Report &report)
@@ -254,4 +312,6 @@ void check_edge(const Run &run, const SceneTable &table, Report &report)
     bool soft = run.step == 5 || run.settings.kernel > 1;
     print("edge: visibility is the lit share", on_floor, soft, report);
     print("edge: the occluder's top is lit", on_occluder, false, report);
+    if (run.settings.msaa > 1)
+        check_edge_texels(run, map, report);
 }

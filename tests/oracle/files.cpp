@@ -45,6 +45,11 @@ static void check_maps(const Run &run, int layer, Report &report)
     Picture map = load_map(run, layer);
     check_finite(map, name, report);
     check_range(map, name, 0, 1, report);
+    if (run.settings.msaa > 1)
+        for (const Picture &sample : load_samples(run, layer)) {
+            check_finite(sample, "samples" + number, report);
+            check_range(sample, "samples" + number, 0, 1, report);
+        }
     if (run.step >= 3)
         check_moments(run, layer, report);
     if (run.step < 4)

@@ -30,8 +30,9 @@ static bool bends(double middle, const std::array<double, 4> &around)
     return !flat && !empty;
 }
 
-IdealMap::IdealMap(const MapView &view, const RayScene &rays)
-    : width_(view.width), height_(view.height),
+IdealMap::IdealMap(const MapView &view, const RayScene &rays,
+                   const glm::dvec2 &place)
+    : place_(place), width_(view.width), height_(view.height),
       depths_(size_t(view.width) * size_t(view.height))
 {
     std::vector<std::vector<std::pair<size_t, std::array<double, 4>>>> found(
@@ -40,8 +41,8 @@ IdealMap::IdealMap(const MapView &view, const RayScene &rays)
         for (int x = 0; x < width_; x++) {
             std::array<double, 4> around;
             auto depth = [&](double dx, double dy) {
-                return depth_at(view, rays, (x + 0.5 + dx) / width_,
-                                (y + 0.5 + dy) / height_);
+                return depth_at(view, rays, (x + place.x + dx) / width_,
+                                (y + place.y + dy) / height_);
             };
             for (size_t k = 0; k < 4; k++)
                 around[k] = depth(SNAP * SNAP_X[k], SNAP * SNAP_Y[k]);

@@ -16,9 +16,11 @@ static constexpr double OWN_ROUNDING = 1e-12;
 namespace
 {
 
-// What the whole filter sees at one position, from the texels as stored.
+using Maps = std::vector<std::vector<Picture>>; // by layer, their samples
+
+// What the whole filter sees at one position, from the samples as stored.
 struct Seen {
-    double lit = 0;        // weight of the texels at or behind the receiver
+    double lit = 0;        // weight of those at or behind the receiver
     double m1 = 0, m2 = 0; // exact
     double farthest = 0;   // the largest depth with a weight
 };
@@ -38,32 +40,38 @@ static double texel(const Picture &map, int x, int y)
     return map.holds(x, y) ? double(map.at(x, y)) : 1.0;
 }
 
-static Seen seen(const Picture &map, const Footprint &across,
+// A texel's samples have equal shares of its weight.
+static Seen seen(const std::vector<Picture> &samples, const Footprint &across,
                  const Footprint &up, double t)
 {
     Seen sum;
+    double share = 1 / double(samples.size());
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
-            double weight = across.weights[i] * up.weights[j];
-            double x = texel(map, across.first + int(i), up.first + int(j));
-            sum.lit += x >= t ? weight : 0;
-            sum.m1 += weight * x;
-            sum.m2 += weight * x * x;
-            sum.farthest = std::max(sum.farthest, weight > 0 ? x : 0);
+            double weight = share * across.weights[i] * up.weights[j];
+            for (const Picture &map : samples) {
+                double x = texel(map, across.first + int(i), up.first + int(j));
+                sum.lit += x >= t ? weight : 0;
+                sum.m1 += weight * x;
+                sum.m2 += weight * x * x;
+                sum.farthest = std::max(sum.farthest, weight > 0 ? x : 0);
+            }
         }
     return sum;
 }
 
 // How far rounding can pull p below what exact arithmetic gives, and exact
-// arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each texel, the
-// downsampling and the blur by blur_share, the lookup by 6 units of the
-// largest texel it blends, then the formula's own, in chebyshev().
+// arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each sample,
+// their mean by resolve_share, the downsampling and the blur by blur_share, the
+// lookup by 6 units of the largest texel it blends, then the formula's own, in
+// chebyshev().
 static double bound(const Seen &s, double t, const Settings &settings)
 {
-    double blur = blur_share(settings);
+    double blur = blur_share(settings) + 1.01 * resolve_share(settings);
     double lookup = rounding_share(LOOKUP_ROUNDINGS);
     double far2 = s.farthest * s.farthest;
-    double tiny = blur_absolute(settings) + store_absolute(settings);
+    double tiny = blur_absolute(settings) + store_absolute(settings) +
+                  resolve_absolute(settings);
     Interval m1 = widened(s.m1, blur * s.m1 + lookup * s.farthest + tiny);
     // The stored M1 is rounded too, and M2 is the square of what it was.
     double m2_share = blur + UNIT_ROUNDOFF + 3 * store_share(settings);
@@ -78,16 +86,15 @@ struct Least {
     double bounded = 1, lit = 1, widest = 0;
 };
 
-static Least least_of(const Run &run, const Receiver &r,
-                      const std::vector<Picture> &maps)
+static Least least_of(const Run &run, const Receiver &r, const Maps &maps)
 {
     if (size_t(r.layer) >= maps.size() || !inside_map(r))
         return {};
     const MapView &view = run.views[size_t(r.layer)];
-    const Picture &map = maps[size_t(r.layer)];
+    const std::vector<Picture> &map = maps[size_t(r.layer)];
     const Settings &settings = run.settings;
     int f = settings.downsample;
-    Shifts shifts = lookup_shifts(r.u, r.v, map.width / f, map.height / f);
+    Shifts shifts = lookup_shifts(r.u, r.v, view.width / f, view.height / f);
     double least = INFINITY, lit = INFINITY, widest = 0;
     for (double dy : shifts.y) { // the least over the widened position
         Footprint up = lookup_footprint(r.v, dy, view.height, settings);
@@ -103,8 +110,8 @@ static Least least_of(const Run &run, const Receiver &r,
     return {least, lit, widest};
 }
 
-static void test_pixel(const Run &run, const Receiver &r,
-                       const std::vector<Picture> &maps, Tally &tally)
+static void test_pixel(const Run &run, const Receiver &r, const Maps &maps,
+                       Tally &tally)
 {
     Least l = least_of(run, r, maps);
     if (r.share > 0) { // two splits are mixed
@@ -130,9 +137,9 @@ void check_lower(const Run &run, Report &report)
     if (run.step != 5 || run.settings.reduces())
         throw BadInput("lower needs step 5 without a reduction");
     Receivers receivers(run);
-    std::vector<Picture> maps;
+    Maps maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)
-        maps.push_back(load_map(run, int(layer)));
+        maps.push_back(load_samples(run, int(layer)));
     Tally tally;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {

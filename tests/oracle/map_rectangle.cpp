@@ -33,10 +33,9 @@ MapRectangle::MapRectangle(const SceneTable &table, const Run &run,
     margin_ = SUBPIXEL * glm::dvec2(glm::length(rows[0]), glm::length(rows[1]));
 }
 
-Place MapRectangle::place(int texel_x, int texel_y) const
+Place MapRectangle::place(const glm::dvec2 &texels) const
 {
-    glm::dvec2 centre(texel_x + 0.5, texel_y + 0.5);
-    glm::dvec2 own = glm::abs(inverse_ * (centre - centre_));
+    glm::dvec2 own = glm::abs(inverse_ * (texels - centre_));
     if (own.x > 0.5 + margin_.x || own.y > 0.5 + margin_.y)
         return Place::OUTSIDE;
     if (own.x < 0.5 - margin_.x && own.y < 0.5 - margin_.y)
@@ -49,6 +48,6 @@ std::vector<Place> places(const MapRectangle &rectangle, const MapView &view)
     std::vector<Place> all;
     for (int y = 0; y < view.height; y++)
         for (int x = 0; x < view.width; x++)
-            all.push_back(rectangle.place(x, y));
+            all.push_back(rectangle.place({x + 0.5, y + 0.5}));
     return all;
 }

@@ -83,6 +83,8 @@ static void run_stages(const Run &run, Report &report)
     for (size_t layer = 0; layer < maps; layer++) {
         if (run.step >= 3)
             check_moments(run, int(layer), report);
+        if (run.settings.msaa > 1)
+            check_resolve(run, int(layer), report);
         if (run.step >= 4)
             check_blur(run, int(layer), report);
         if (run.settings.mips)
@@ -110,7 +112,10 @@ static void run_rays(const Run &run, Report &report)
     RayScene rays(table.scene, run.origin);
     double extent = scene_extent(table.scene, run.origin);
     for (size_t layer = 0; layer < run.views.size(); layer++)
-        check_ray_depths(run, rays, extent, int(layer), report);
+        if (run.settings.msaa > 1)
+            check_sample_depths(run, rays, extent, int(layer), report);
+        else
+            check_ray_depths(run, rays, extent, int(layer), report);
     check_ray_positions(run, table.scene, rays, extent, report);
     check_ray_visibility(run, table.scene, rays, extent, report);
 }

@@ -19,6 +19,11 @@ RayComparison compare_ray_depths(const Run &run, const RayScene &rays,
 void check_ray_depths(const Run &run, const RayScene &rays, double extent,
                       int layer, Report &report);
 
+// With --msaa: each sample against the ray through its place. Its depth is one
+// that the surface there has in the texel.
+void check_sample_depths(const Run &run, const RayScene &rays, double extent,
+                         int layer, Report &report);
+
 // position.exr against rays from the camera through the pixel centres.
 void check_ray_positions(const Run &run, const Scene &scene,
                          const RayScene &rays, double extent, Report &report);

@@ -15,9 +15,12 @@
 void check_stored(const Picture &map, const Settings &settings,
                   const std::string &name, Report &report);
 
-// moments.L.exr: M2 is the depth squared and rounded once; M1 is the depth,
-// rounded where 16-bit floats store it.
+// moments.L.exr, or with --msaa each sample: M2 is the depth squared and
+// rounded once; M1 is the depth, rounded where 16-bit floats store it.
 void check_moments(const Run &run, int layer, Report &report);
+
+// With --msaa: moments.L.exr is the mean of the samples.
+void check_resolve(const Run &run, int layer, Report &report);
 
 // With --slope-term, where the rays around a texel meet one triangle: M2 is the
 // depth squared and the variance of its plane's depth across the texel.

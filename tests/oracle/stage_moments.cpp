@@ -52,11 +52,10 @@ void check_stored(const Picture &map, const Settings &settings,
                 map.values.size(), full);
 }
 
-void check_moments(const Run &run, int layer, Report &report)
+// One depth per texel.
+static void check_depths(const Picture &moments, const Settings &settings,
+                         Report &report)
 {
-    Picture moments = load_map(run, layer);
-    const Settings &settings = run.settings;
-    check_stored(moments, settings, "moments", report);
     size_t wrong = 0;
     double worst = 0;
     for (int y = 0; y < moments.height; y++)
@@ -77,4 +76,11 @@ void check_moments(const Run &run, int layer, Report &report)
                             : "stage moments: M2 is M1 squared",
         "%zu texels off by more than the rounding, worst |M2 - M1^2| %.3g",
         wrong, worst);
+}
+
+void check_moments(const Run &run, int layer, Report &report)
+{
+    check_stored(load_map(run, layer), run.settings, "moments", report);
+    for (const Picture &sample : load_samples(run, layer))
+        check_depths(sample, run.settings, report);
 }

@@ -65,6 +65,27 @@ static Slopes plane_slopes(const MapTriangle &surface, double x, double y,
             rounded(all.up, rounding_share(64))};
 }
 
+// With --msaa a fragment has its position anywhere in the texel that it covers,
+// which need not be the middle although the triangle covers all: clipping may
+// have cut it in two. Between these 3 x 3 places a slope is as good as linear;
+// what bends counts twice.
+static Slopes texel_slopes(const MapTriangle &surface, int x, int y,
+                           double error)
+{
+    Slopes all = plane_slopes(surface, x + 0.5, y + 0.5, error);
+    Slopes middle = all;
+    for (double dy : {0.0, 0.5, 1.0})
+        for (double dx : {0.0, 0.5, 1.0}) {
+            Slopes there = plane_slopes(surface, x + dx, y + dy, error);
+            all = {hull(all.across, there.across), hull(all.up, there.up)};
+        }
+    auto bend = [](const Interval &whole, const Interval &centre) {
+        return std::abs((whole.lo + whole.hi) - (centre.lo + centre.hi));
+    };
+    return {widened(all.across, bend(all.across, middle.across)),
+            widened(all.up, bend(all.up, middle.up))};
+}
+
 // Differences in the block of 2 x 2 fragments: in one row (or column) of it.
 static Slopes derivative_slopes(const MapTriangle &surface, int x, int y,
                                 double rounding)
@@ -95,12 +116,12 @@ static int triangle_at(const MapView &view, const RayScene &rays, double x,
     return found;
 }
 
-void check_slope(const Run &run, const RayScene &rays, double extent, int layer,
-                 Report &report)
+// One depth per texel.
+static void check_slopes(const Run &run, const RayScene &rays, double extent,
+                         const MapView &view, const Picture &map,
+                         Report &report)
 {
-    const MapView &view = run.views[size_t(layer)];
     const Settings &settings = run.settings;
-    Picture map = load_map(run, layer);
     size_t tested = 0, wrong = 0, sloped = 0, covered = 0;
     double worst = 0;
     for (int y = 0; y < map.height; y++)
@@ -111,17 +132,22 @@ void check_slope(const Run &run, const RayScene &rays, double extent, int layer,
                 continue;
             }
             covered++;
-            // A block of 2 x 2 reaches 1 texel further.
-            double reach = settings.slope_derivatives ? 1 : 4 * SUBPIXEL;
+            // A block of 2 x 2 reaches 1 texel further, samples half a one.
+            double reach = settings.slope_derivatives ? 1
+                           : settings.msaa > 1        ? 0.5 + 4 * SUBPIXEL
+                                                      : 4 * SUBPIXEL;
             int hit = triangle_at(view, rays, x + 0.5, y + 0.5, reach);
             if (hit < 0)
                 continue;
             MapTriangle surface{run, view, rays.triangle(hit)};
             double rounding = rounding_share(16) * depth_size(view, extent, m1);
-            Slopes slopes = settings.slope_derivatives
-                                ? derivative_slopes(surface, x, y, rounding)
-                                : plane_slopes(surface, x + 0.5, y + 0.5,
-                                               rounding_share(6) * 3 * extent);
+            double corners = rounding_share(6) * 3 * extent;
+            Slopes slopes =
+                settings.slope_derivatives
+                    ? derivative_slopes(surface, x, y, rounding)
+                : settings.msaa > 1
+                    ? texel_slopes(surface, x, y, corners)
+                    : plane_slopes(surface, x + 0.5, y + 0.5, corners);
             Interval term = 0.25 * (square(slopes.across) + square(slopes.up));
             Interval depth = rounded(m1, store_share(settings));
             Interval truth = square(depth) + term;
@@ -141,4 +167,12 @@ void check_slope(const Run &run, const RayScene &rays, double extent, int layer,
                 "%zu of %zu tested texels off, worst by %.3g; %zu covered, on "
                 "%zu the slope is more than the rounding",
                 wrong, tested, worst, covered, sloped);
+}
+
+void check_slope(const Run &run, const RayScene &rays, double extent, int layer,
+                 Report &report)
+{
+    for (const Picture &sample : load_samples(run, layer))
+        check_slopes(run, rays, extent, run.views[size_t(layer)], sample,
+                     report);
 }

@@ -40,8 +40,8 @@ struct TruthScene {
     Receivers receivers;
     double extent; // the largest coordinate
     double lift;   // off a surface, so that a ray does not meet it again
-    std::vector<IdealMap> ideal;
-    PcfWidth widths; // of step 2's filter
+    std::vector<std::vector<IdealMap>> ideal; // by layer, and by Run::places
+    PcfWidth widths;                          // of step 2's filter
 
     explicit TruthScene(const Run &the_run);
     const MapView &view(const Receiver &r) const

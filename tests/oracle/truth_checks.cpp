@@ -54,27 +54,28 @@ static void check_all_ties(const TruthScene &scene, Report &report)
                 "%zu of %zu pixels see a texel that is not", wrong, pixels);
 }
 
-// The weight of the texels whose stored depth is not the ideal one: at
+// The weight of the samples whose stored depth is not the ideal one: at
 // outlines the rasteriser may differ by SUBPIXEL (the check `rays` has them).
 static double weight_of_outlines(const TruthScene &scene, const Receiver &r,
-                                 const Picture &stored)
+                                 const std::vector<Picture> &stored)
 {
     const MapView &view = scene.view(r);
     const Run &run = scene.run;
-    const IdealMap &ideal = scene.ideal[size_t(r.layer)];
+    const std::vector<IdealMap> &ideal = scene.ideal[size_t(r.layer)];
     double rounding = scene.float_rounding(view), weight = 0;
     auto across = filter_footprint(run.step, r.u, view.width, run.settings);
     auto up = filter_footprint(run.step, r.v, view.height, run.settings);
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
             int x = across.first + int(i), y = up.first + int(j);
-            if (!stored.holds(x, y))
-                continue;
-            double depth = std::min(ideal.at(x, y), 1.0);
-            if (std::abs(double(stored.at(x, y)) - depth) > rounding)
-                weight += across.weights[i] * up.weights[j];
+            for (size_t k = 0; k < stored.size() && stored[k].holds(x, y);
+                 k++) {
+                double depth = std::min(ideal[k].at(x, y), 1.0);
+                if (std::abs(double(stored[k].at(x, y)) - depth) > rounding)
+                    weight += across.weights[i] * up.weights[j];
+            }
         }
-    return weight;
+    return weight / double(stored.size());
 }
 
 void check_lower_is_pcf(const TruthScene &scene, Report &report)
@@ -82,7 +83,7 @@ void check_lower_is_pcf(const TruthScene &scene, Report &report)
     double ties = 2 * scene.float_rounding(scene.run.views.at(0));
     Truth strict = lower_truth(scene), lower = lower_truth(scene, ties);
     Truth pcf = pcf_truth(scene);
-    Picture stored = load_map(scene.run, 0);
+    std::vector<Picture> stored = load_samples(scene.run, 0);
     size_t pixels = 0, wrong = 0, above = 0, mixed = 0;
     double worst = 0;
     for_each_counted(scene, [&](const Pixel &pixel) {

@@ -201,12 +201,15 @@ static Known pcf_answer(const EdgeScene &edge, const Pixel &pixel)
     double share = 0;
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
-            Place place =
-                edge.occluder.place(across.first + int(i), up.first + int(j));
-            if (place == Place::AMBIGUOUS)
-                return {};
-            if (place == Place::OUTSIDE)
-                share += across.weights[i] * up.weights[j];
+            glm::dvec2 corner(across.first + int(i), up.first + int(j));
+            double weight = across.weights[i] * up.weights[j];
+            for (const glm::dvec2 &sample : run.places) {
+                Place place = edge.occluder.place(corner + sample);
+                if (place == Place::AMBIGUOUS)
+                    return {};
+                if (place == Place::OUTSIDE)
+                    share += weight / double(run.places.size());
+            }
         }
     bool mixed = share > 1e-9 && share < 1 - 1e-9;
     return {mixed ? Known::MIXED : Known::WHOLE, share};

@@ -13,8 +13,11 @@ TruthScene::TruthScene(const Run &the_run)
       // Embree's vertices and the ray's origin are off by a unit each.
       lift(rounding_share(16) * extent), widths(run)
 {
-    for (const MapView &view : run.views)
-        ideal.emplace_back(view, rays);
+    for (const MapView &view : run.views) {
+        ideal.emplace_back();
+        for (const glm::dvec2 &place : run.places)
+            ideal.back().emplace_back(view, rays, place);
+    }
 }
 
 // The triangle that a ray within SUBPIXEL of the pixel's centre meets, when

@@ -41,17 +41,30 @@ static auto mean_of(const TruthScene &scene, const Pixel &pixel,
     return share;
 }
 
+// The mean of lit(sample) over the samples of a texel.
+template <typename Sample, typename Lit>
+static auto mean_of_samples(const std::vector<Sample> &samples, const Lit &lit)
+{
+    decltype(lit(samples[0])) sum(0);
+    for (const Sample &sample : samples)
+        sum += lit(sample);
+    return sum / double(samples.size());
+}
+
 Truth lower_truth(const TruthScene &scene, double ties)
 {
-    auto maps = std::make_shared<std::vector<Picture>>();
+    auto maps = std::make_shared<std::vector<std::vector<Picture>>>();
     for (size_t layer = 0; layer < scene.run.views.size(); layer++)
-        maps->push_back(load_map(scene.run, int(layer)));
+        maps->push_back(load_samples(scene.run, int(layer)));
     auto at = [&scene, maps, ties](const Pixel &pixel,
                                    const Receiver &r) -> TruthValue {
-        const Picture &map = (*maps)[size_t(r.layer)];
+        const std::vector<Picture> &samples = (*maps)[size_t(r.layer)];
         return {mean_of(scene, pixel, r, [&](int x, int y) {
-            bool lit = !map.holds(x, y) || double(map.at(x, y)) >= r.t - ties;
-            return lit ? 1.0 : 0.0;
+            return mean_of_samples(samples, [&](const Picture &map) {
+                bool lit =
+                    !map.holds(x, y) || double(map.at(x, y)) >= r.t - ties;
+                return lit ? 1.0 : 0.0;
+            });
         })};
     };
     return {"lower", [&scene, at](const Pixel &pixel) {
@@ -59,16 +72,16 @@ Truth lower_truth(const TruthScene &scene, double ties)
             }};
 }
 
-// Whether an ideal texel is lit, 1 or 0: at its centre; for an outline's texel,
+// Whether an ideal texel is lit, 1 or 0: at its place; for an outline's texel,
 // also whether it is at all points around, and at any.
 static glm::dvec3 compare(const IdealMap &map, const OwnPlane &plane,
                           double slack, int x, int y)
 {
-    if (x < 0 || y < 0 || x >= map.width() || y >= map.height())
+    if (!map.holds(x, y))
         return glm::dvec3(1);
     auto own = [&](double dx, double dy) {
-        return plane.depth((x + 0.5 + dx) / map.width(),
-                           (y + 0.5 + dy) / map.height()) -
+        return plane.depth((x + map.place().x + dx) / map.width(),
+                           (y + map.place().y + dy) / map.height()) -
                slack;
     };
     bool middle = map.at(x, y) >= own(0, 0), all = middle, any = middle;
@@ -88,12 +101,14 @@ Truth pcf_truth(const TruthScene &scene, double ties)
                              const Receiver &r) -> TruthValue {
         if (!pixel.surface.found)
             return {1, true};
-        const IdealMap &map = scene.ideal[size_t(r.layer)];
+        const std::vector<IdealMap> &maps = scene.ideal[size_t(r.layer)];
         OwnPlane plane(scene.view(r), pixel.surface.point,
                        pixel.surface.normal);
         double slack = ties * scene.tie_rounding(scene.view(r));
         glm::dvec3 lit = mean_of(scene, pixel, r, [&](int x, int y) {
-            return compare(map, plane, slack, x, y);
+            return mean_of_samples(maps, [&](const IdealMap &map) {
+                return compare(map, plane, slack, x, y);
+            });
         });
         return {lit.x, false, lit.x - lit.y, lit.z - lit.x};
     };

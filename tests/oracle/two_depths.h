@@ -15,7 +15,7 @@ void check_edge(const Run &run, const SceneTable &table, Report &report);
 void check_bleed(const Run &run, const SceneTable &table, double r,
                  Report &report);
 
-// Where a texel's centre lies against a rectangle as the light sees it.
+// Where a point of the map lies against a rectangle as the light sees it.
 enum class Place { INSIDE, OUTSIDE, AMBIGUOUS };
 
 // A mesh_plane (side 1, y = 0) seen in the map.
@@ -29,7 +29,7 @@ class MapRectangle
 
     // AMBIGUOUS within SUBPIXEL of the outline: the rasteriser may decide
     // either way.
-    Place place(int texel_x, int texel_y) const;
+    Place place(const glm::dvec2 &texels) const;
 
     // A position in texels in the plane's own units: -0.5 .. 0.5 inside.
     glm::dvec2 own(const glm::dvec2 &texels) const
@@ -54,7 +54,7 @@ class MapRectangle
     double depth_;
 };
 
-// The place of every texel of a view, row by row.
+// The place of every texel's centre in a view, row by row.
 std::vector<Place> places(const MapRectangle &rectangle, const MapView &view);
 
 #endif
