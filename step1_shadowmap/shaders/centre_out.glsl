@@ -2,7 +2,7 @@
 
 out vec3 relative_position;
 
-void hand_on(vec3 position)
+void hand_on(vec4 position)
 {
-    relative_position = position;
+    relative_position = position.xyz;
 }

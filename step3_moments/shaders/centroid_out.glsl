@@ -7,7 +7,7 @@ centroid out vec4 covered_position;
 
 // Its last number is 1, and is interpolated too: see centroid_in.glsl. (Written
 // as 1.0 here, it would reach the fragments without.)
-void hand_on(vec3 position)
+void hand_on(vec4 position)
 {
     covered_position = position;
 }

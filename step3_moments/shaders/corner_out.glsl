@@ -2,7 +2,7 @@
 
 out vec4 corner_position;
 
-void hand_on(vec3 position)
+void hand_on(vec4 position)
 {
     corner_position = position;
 }
