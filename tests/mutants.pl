@@ -8,7 +8,8 @@ use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
 
-# name => [test that must fail, shader, what stands there, the mistake]
+# name => [test that must fail, shader, what stands there, the mistake, and
+# where one shader is not enough another three of these]
 my %mutants = (
     'every tap reads the same texel' => [
         'step2', 'step2_pcf/shaders/pcf.glsl',
@@ -248,6 +249,32 @@ my %mutants = (
         'moments', 'step3_moments/shaders/merge_raw.glsl',
         'min(depth * depth + variance, depth)', 'depth * depth + variance'
     ],
+    'one sample for all' => [
+        'msaa', 'step3_moments/shaders/resolve.frag',
+        'texelFetch(samples, texel, i)', 'texelFetch(samples, texel, 0)'
+    ],
+    'a sample left out' => [
+        'msaa', 'step3_moments/shaders/resolve.frag',
+        'i < count', 'i < count - 1'
+    ],
+    'samples that do not vary' => [
+        'msaa',
+        'step3_moments/shaders/resolve.frag',
+        'stored(merge_end(merge, float(count)));',
+        "stored(merge_end(merge, float(count)));\n"
+          . '    moments.y = moments.x * moments.x;'
+    ],
+    'a depth beside its triangle' => [
+        'msaa',
+        'step3_moments/shaders/centroid_out.glsl',
+        'centroid out', 'out',
+        'step3_moments/shaders/centroid_in.glsl',
+        'centroid in', 'in'
+    ],
+    'the w of another place' => [
+        'msaa', 'step3_moments/shaders/centroid_in.glsl',
+        'covered_position.xyz / covered_position.w', 'covered_position.xyz'
+    ],
     'light outside the cone' => [
         'lights', 'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0 && cosine > cone_cosines.x', 'facing > 0.0'
@@ -419,19 +446,25 @@ sub read_file {
     return <$file>;
 }
 
-# A folder that holds only the shader with the mistake in it.
+# A folder that holds only the shaders with the mistake in them.
 sub plant {
-    my ( $shader, $from, $to ) = @_;
+    my @change = @_;
+    my $folder = tempdir( CLEANUP => 1 );
+    plant_one( $folder, splice @change, 0, 3 ) while @change;
+    return $folder;
+}
+
+sub plant_one {
+    my ( $folder, $shader, $from, $to ) = @_;
     my $text  = read_file($shader);
     my $place = index $text, $from;
     $place >= 0 or die "$shader does not hold '$from' any more\n";
     substr( $text, $place, length $from ) = $to;
-    my $folder = tempdir( CLEANUP => 1 );
     make_path( dirname("$folder/$shader") );
     open my $file, '>', "$folder/$shader" or die "cannot write: $!\n";
     print {$file} $text;
     close $file or die "cannot write: $!\n";
-    return $folder;
+    return;
 }
 
 # The first test that fails with these shaders, or nothing. The tests after
