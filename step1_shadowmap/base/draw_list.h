@@ -4,8 +4,8 @@
 
 #include "step1_shadowmap/base/scene.h" // Scene
 
-// Places in the scene's list of objects, in the same order: where two surfaces
-// are equally far, the first one drawn is the one that shows.
+// Places in the scene's list of objects, in the order of drawing: where two
+// surfaces are equally far, the first one drawn is the one that shows.
 typedef struct DrawList {
     int objects[SCENE_MAX_OBJECTS];
     int count;
@@ -13,5 +13,9 @@ typedef struct DrawList {
 
 // Every object of the scene.
 void draw_list_all(DrawList *list, const Scene *scene);
+
+// The same, but what casts first: the ground, on which all of it stands,
+// fills much of a picture, and what is hidden of it then need not be shaded.
+void draw_list_ground_last(DrawList *list, const Scene *scene);
 
 #endif

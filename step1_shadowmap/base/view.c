@@ -67,7 +67,7 @@ static void fit_light(Views *views, const Scene *scene, double aspect,
 
 static void list_objects(Views *views, const Scene *scene)
 {
-    draw_list_all(&views->seen, scene);
+    draw_list_ground_last(&views->seen, scene);
     for (int layer = 0; layer < views->layers; layer++) {
         draw_list_all(&views->light[layer].seen, scene);
     }
