@@ -1,6 +1,7 @@
 #!/usr/bin/perl
 # Error against run time: techniques on scenes at several widths, measured in
 # one run. Prints a table, and writes into out/report/ (or REPORT_OUT):
+#     index.html     the page, in one file
 #     results.csv    a row per point; Columns.pm says what a column means
 #     results.json   the machine, the drivers, what was left out, the columns
 #     kept/          what was measured, by what it depends on
@@ -23,6 +24,7 @@ use VSM;
 use Columns qw(@COLUMNS csv);
 use Judge   qw(claims mark_front);
 use Measure qw(measure);
+use Page    qw(page);
 use Sweep   qw(mode sweep);
 
 my $folder = $ENV{REPORT_OUT} // root() . '/out/report';
@@ -108,6 +110,44 @@ sub print_missing {
     return;
 }
 
+sub write_results {
+    my ( $mode, $points, $left_out, $claims ) = @_;
+    my $environment = environment( $mode, @$points );
+    write_whole( 'results.csv', csv(@$points) );
+    my $json = JSON::PP->new->canonical->pretty;
+    write_whole(
+        'results.json',
+        $json->encode(
+            {
+                environment => $environment,
+                left_out    => $left_out,
+                claims      => $claims,
+                columns     =>
+                  [ map { { name => $_->[0], meaning => $_->[1] } } @COLUMNS ],
+                missing => [
+                    map {
+                        {
+                            what   => "$_->{scene} $_->{label}",
+                            reason => $_->{missing}
+                        }
+                    } grep { $_->{missing} } @$points
+                ],
+            }
+        )
+    );
+    write_whole(
+        'index.html',
+        page(
+            $folder,
+            points      => $points,
+            environment => $environment,
+            left_out    => $left_out,
+            claims      => $claims
+        )
+    );
+    return;
+}
+
 sub main {
     my $mode = mode( $ENV{REPORT} // 'full' );
     my ( $points, $left_out ) = sweep($mode);
@@ -120,31 +160,10 @@ sub main {
     print_table( $mode->{size}, @$points );
     print_claims(@claims);
     print_missing(@missing);
-    write_whole( 'results.csv', csv(@$points) );
-    my $json = JSON::PP->new->canonical->pretty;
-    write_whole(
-        'results.json',
-        $json->encode(
-            {
-                environment => environment( $mode, @$points ),
-                left_out    => $left_out,
-                claims      => \@claims,
-                columns     =>
-                  [ map { { name => $_->[0], meaning => $_->[1] } } @COLUMNS ],
-                missing => [
-                    map {
-                        {
-                            what   => "$_->{scene} $_->{label}",
-                            reason => $_->{missing}
-                        }
-                    } @missing
-                ],
-            }
-        )
-    );
+    write_results( $mode, $points, $left_out, \@claims );
     printf "\n%d points, %d of them from an earlier run; %d missing; all of "
       . "it: %s\n", scalar @$points, $reused, scalar @missing,
-      "$folder/results.csv";
+      "$folder/index.html";
     return 3 if @missing;
     return grep( { !$_->{holds} } @claims ) ? 1 : 0;
 }

@@ -1,0 +1,216 @@
+# The page's diagrams: gnuplot's SVG, without what would clash with the page.
+package Plot;
+
+use strict;
+use warnings;
+
+use Exporter qw(import);
+use VSM;
+
+our @EXPORT_OK = qw(work_precision growth family_colour);
+
+# Readable on white and on black.
+my %COLOUR = (
+    hard          => '#888888',
+    PCF           => '#e07b00',
+    VSM           => '#2f7ed8',
+    'VSM reduced' => '#8e5bd0',
+    SAT           => '#2aa876',
+    'VSM rounded' => '#d0498b',
+    soft          => '#c0392b',
+    mean          => '#a89400',
+);
+my %MARK = (
+    hard          => 5,
+    PCF           => 7,
+    VSM           => 9,
+    'VSM reduced' => 11,
+    SAT           => 13,
+    'VSM rounded' => 8,
+    soft          => 4,
+    mean          => 2,
+);
+my @FAMILIES = (
+    'hard', 'PCF',         'VSM',  'VSM reduced',
+    'SAT',  'VSM rounded', 'soft', 'mean'
+);
+
+# On a phone the diagram is two thirds of this size.
+my $HEAD = <<'END';
+set terminal svg size 540,440 dynamic noenhanced font 'sans-serif,14'
+set logscale xy
+set border 3
+set tics nomirror
+set grid lc rgb '#808080' lw 0.5 dt 3
+set key below maxcols 3 samplen 1.5
+END
+
+sub family_colour { return $COLOUR{ $_[0] } // '#888888' }
+
+# Runs a script; the SVG as a part of an HTML page, or why there is none. Black
+# becomes the page's own colour, and names are made this diagram's.
+sub drawn {
+    my ( $name, $folder, $script ) = @_;
+    my $file = "$folder/$name.gp";
+    spew( $file, $script );
+    my $run = command( '/usr/bin/env', 'gnuplot', $file );
+    unlink $file;
+    if ( $run->{status} || $run->{out} !~ /<svg/ ) {
+        my ($line) = $run->{err} =~ /([^\n]+)\n*\z/;
+        return ( undef, 'gnuplot: ' . ( $line // 'no word why' ) );
+    }
+    local $_ = $run->{out} =~ s/.*?(?=<svg)//sr;
+    s/ color="(?:black|white|gray)"//g;
+    s/(fill|stroke)=(["'])black\g2/$1="currentColor"/g;
+    s{<title>[^<]*</title>}{}g;
+    s{<desc>[^<]*</desc>}{}g;
+    s/gp(?=Pt\d|Dot)/$name-gp/g;
+    s/(id=["'])(?=gnuplot|textbox|greybox)/$1$name-/g;
+    s/[ \t]+$//mg;
+    s/\n\n+/\n/g;
+    return $_;
+}
+
+# The range of a logarithmic axis around values, with a tic at 1, 2 and 5 of
+# each decade; gnuplot's own would go to the next power of ten.
+sub axis {
+    my ( $name, @values ) = @_;
+    @values = sort { $a <=> $b } @values;
+    my ( $low, $high ) = ( $values[0] / 1.5, $values[-1] * 1.5 );
+    my @tics;
+    for my $decade ( -9 .. 6 ) {
+        push @tics, grep { $_ >= $low && $_ <= $high }
+          map { $_ * 10**$decade } 1, 2, 5;
+    }
+    @tics = grep { sprintf( '%e', $_ ) =~ /^1/ } @tics if @tics > 9;
+    return
+      "set ${name}range [$low:$high]\nset ${name}tics ("
+      . join( ', ', map { sprintf '%g', $_ } @tics ) . ")\n";
+}
+
+sub quoted { return "'" . $_[0] =~ s/'/''/gr . "'" }
+
+# One series of gnuplot: its data block, and its part of the plot command.
+sub series {
+    my ( $index, $style, $title, @rows ) = @_;
+    my $block = "\$S$index << EOD\n" . join( "\n", @rows ) . "\nEOD\n";
+    my $name  = defined $title ? 'title ' . quoted($title) : 'notitle';
+    return ( $block, "\$S$index using $style $name" );
+}
+
+# Points of a scene: error against time. Widths of one technique are joined,
+# and the front is a stair below them.
+sub work_precision {
+    my ( $folder, $scene, @points ) = @_;
+    my ( @blocks, @parts );
+    my $add = sub {
+        my ( $block, $part ) = series( scalar @parts, @_ );
+        push @blocks, $block;
+        push @parts,  $part;
+    };
+    @points =
+      grep { defined $_->{total_ms} && defined $_->{footprint_rmse} } @points;
+    return ( undef, 'nothing is measured' ) unless @points;
+    $add->(
+        '1:2 with steps lw 6 lc rgb "#30808080"',
+        'Pareto front', stair(@points)
+    );
+    for my $family (@FAMILIES) {
+        my @own = grep { $_->{family} eq $family } @points or next;
+        my ( $colour, $mark ) = ( $COLOUR{$family}, $MARK{$family} );
+        my @rows = map { row($_) } @own;
+        $add->(
+            "1:2 with points pt $mark ps 0.8 lc rgb '$colour'",
+            $family, @rows
+        );
+        my @line = grep { $_->{label} =~ /^\Q$family\E(?: \d+)?$/ } @own;
+        next if @line < 2;
+        $add->(
+            "1:2 with lines lc rgb '$colour'",
+            undef, map { row($_) } @line
+        );
+        $add->(
+            "1:2:3 with labels offset 0.9,0.6 tc rgb '$colour'",
+            undef, map { row($_) } @line
+        );
+    }
+    return drawn(
+        "work-$scene",
+        $folder,
+        join '',
+        $HEAD,
+        "set xlabel 'time of a frame, ms'\n",
+        "set ylabel 'RMSE against footprint truth'\n",
+        axis( x => map { $_->{total_ms} } @points ),
+        axis( y => map { error_of($_) } @points ),
+        @blocks,
+        'plot ',
+        join( ', ', @parts ),
+        "\n"
+    );
+}
+
+# Drawn on a logarithmic axis, where there is no 0.
+sub error_of {
+    my ($point) = @_;
+    return $point->{footprint_rmse} > 1e-7 ? $point->{footprint_rmse} : 1e-7;
+}
+
+sub row {
+    my ($point) = @_;
+    return join ' ', $point->{total_ms}, error_of($point), $point->{width};
+}
+
+# The least error that a time buys.
+sub stair {
+    my @points = sort { $a->{total_ms} <=> $b->{total_ms} } @_;
+    my ( $least, @rows );
+    for (@points) {
+        next if defined $least && $_->{footprint_rmse} >= $least;
+        $least = $_->{footprint_rmse};
+        push @rows, row($_);
+    }
+    return @rows;
+}
+
+# Time against one column, a line for each technique.
+sub growth {
+    my ( $folder, $name, $column, $axis, %lines ) = @_;
+    my ( @blocks, @parts, @drawn );
+    for my $technique ( sort keys %lines ) {
+        my @points =
+          sort { $a->{$column} <=> $b->{$column} }
+          grep { defined $_->{total_ms} } @{ $lines{$technique} };
+        next if @points < 2;
+        push @drawn, @points;
+        my $family = $points[0]{family};
+        my $dashes = $technique eq $family ? '' : 'dt ' . ( 2 + @parts % 4 );
+        my ( $block, $part ) = series(
+            scalar @parts,
+            "1:2:3:4 with yerrorlines pt $MARK{$family} ps 0.7 $dashes "
+              . "lc rgb '$COLOUR{$family}'",
+            $technique,
+            map { join ' ', @$_{ $column, qw(total_ms total_q1 total_q3) } }
+              @points
+        );
+        push @blocks, $block;
+        push @parts,  $part;
+    }
+    return ( undef, 'nothing is measured' ) unless @parts;
+    return drawn(
+        "growth-$name",
+        $folder,
+        join '',
+        $HEAD,
+        "set xlabel " . quoted($axis) . "\n",
+        "set ylabel 'time of a frame, ms'\n",
+        "set xtics (3, 7, 15, 31, 256, 512, 1024, 2048)\n",
+        axis( y => map { @$_{qw(total_q1 total_q3)} } @drawn ),
+        @blocks,
+        'plot ',
+        join( ', ', @parts ),
+        "\n"
+    );
+}
+
+1;

@@ -1,0 +1,162 @@
+# What the points of a scene say, in plain words, and only what they say.
+package Verdict;
+
+use strict;
+use warnings;
+
+use Exporter qw(import);
+use Judge    qw(ratio);
+
+our @EXPORT_OK = qw(verdict crossing);
+
+# Of PCF and plain VSM at the same widths: how much longer PCF takes, frame by
+# frame of the same round.
+sub pairs {
+    my %point = map { ( $_->{label} => $_ ) } @_;
+    my @pairs;
+    for my $width ( 3, 7, 15, 31 ) {
+        my ( $pcf, $vsm ) = @point{ "PCF $width", "VSM $width" };
+        next unless $pcf            && $vsm;
+        next unless $pcf->{medians} && $vsm->{medians};
+        push @pairs,
+          {
+            width  => $width,
+            factor => ratio( 'total', $pcf, $vsm ),
+            pcf    => $pcf,
+            vsm    => $vsm,
+          };
+    }
+    return @pairs;
+}
+
+# The width from which on the factor stays above 1, between the measured ones
+# along a straight line of logarithms; 0: at all of them, undef: not at the
+# widest.
+sub crossing {
+    my @pairs = @_;
+    return if !@pairs || $pairs[-1]{factor} <= 1;
+    my $below;
+    for ( 0 .. $#pairs ) { $below = $_ if $pairs[$_]{factor} <= 1 }
+    return 0 unless defined $below;
+    my ( $from, $to ) = @pairs[ $below, $below + 1 ];
+    my $part = log( $from->{factor} ) / log( $from->{factor} / $to->{factor} );
+    return
+      exp(
+        log( $from->{width} ) + $part * log( $to->{width} / $from->{width} ) );
+}
+
+# Odd, as widths are, and not below.
+sub next_width {
+    my ($width) = @_;
+    my $whole = int $width;
+    $whole++ while $whole < $width || $whole % 2 == 0;
+    return $whole;
+}
+
+sub factor {
+    my ($factor) = @_;
+    return sprintf $factor < 9.95 ? '%.1f' : '%.0f', $factor;
+}
+
+sub faster {
+    my ( $scene, @pairs ) = @_;
+    my $crossing = crossing(@pairs);
+    my @named    = grep { $_->{width} == 15 || $_->{width} == 31 } @pairs;
+    @named = ( $pairs[-1] ) unless @named;
+    my $times = sub {
+        join ' and ',
+          map { factor( $_[0]->($_) ) . " times at $_->{width}" } @named;
+    };
+    if ( !defined $crossing ) {
+        return
+          "PCF is faster than VSM at every width measured, by "
+          . $times->( sub { 1 / $_[0]{factor} } ) . '.';
+    }
+    my $by = $times->( sub { $_[0]{factor} } );
+    if ( $crossing == 0 ) {
+        return "VSM is faster than PCF from width $pairs[0]{width} on, the "
+          . "least measured: by $by.";
+    }
+    my $width = next_width($crossing);
+    return "PCF is faster below width $width; from there on VSM is, by $by.";
+}
+
+# The link of a point's chain that changes the visibility most, among those
+# that are the technique's own.
+my %BLAME = (
+    chebyshev => 'light bleeding',
+    floor     => 'the minimum variance',
+    reduction => 'the light-bleeding reduction',
+    format    => 'the number format',
+    program   => 'its lookup and its rasteriser',
+);
+
+sub blamed {
+    my ($point) = @_;
+    my ( $worst, $most ) = ( '', 0 );
+    for my $link ( sort keys %BLAME ) {
+        my $rmse = $point->{"chain_${link}_rmse"} // 0;
+        ( $worst, $most ) = ( $link, $rmse ) if $rmse > $most;
+    }
+    return $most > 1e-3 ? $BLAME{$worst} : '';
+}
+
+# How wrong VSM is beside PCF, each against the exact average over its filter.
+sub wronger {
+    my @pairs  = @_;
+    my @judged = grep {
+             defined $_->{pcf}{footprint_rmse}
+          && defined $_->{vsm}{footprint_rmse}
+    } @pairs;
+    return '' unless @judged;
+    my ($pair) = grep { $_->{width} == 7 } @judged;
+    $pair //= $judged[0];
+    my ( $pcf, $vsm ) = map { $pair->{$_}{footprint_rmse} } qw(pcf vsm);
+    return '' unless $pcf > 0 && $vsm > 0;
+    my $numbers = sprintf 'RMSE %.4f against %.4f', $vsm, $pcf;
+    my $ratio   = $vsm / $pcf;
+    return "At width $pair->{width} VSM is as near to its footprint as PCF "
+      . "($numbers)."
+      if $ratio > 0.9 && $ratio < 1.1;
+    my $text =
+      $ratio < 1
+      ? 'nearer to its footprint than PCF'
+      : factor($ratio) . ' times as wrong as PCF';
+    my $why = $ratio > 1 ? blamed( $pair->{vsm} ) : '';
+    return
+      "At width $pair->{width} VSM is $text ($numbers"
+      . ( $why ? "; mostly $why" : '' ) . ').';
+}
+
+# Where even its best is more than twice as wrong as PCF at every width from 7
+# on, and no better than hard shadows are, nothing speaks for it.
+sub advice {
+    my ( $scene, $points, @pairs ) = @_;
+    my %point  = map { ( $_->{label} => $_ ) } @$points;
+    my $hard   = $point{hard}{footprint_rmse};
+    my @judged = grep {
+             $_->{width} >= 7
+          && defined $_->{pcf}{footprint_rmse}
+          && defined $_->{vsm}{footprint_rmse}
+    } @pairs;
+    return '' unless @judged && defined $hard;
+    for my $pair (@judged) {
+        my ($best) = sort { $a <=> $b }
+          map { $point{"$_ $pair->{width}"}{footprint_rmse} // () } 'VSM',
+          'VSM reduced';
+        return ''
+          if $best <= 2 * $pair->{pcf}{footprint_rmse} || $best <= $hard;
+    }
+    return "Do not use VSM on $scene.";
+}
+
+# Sentences about a scene's points.
+sub verdict {
+    my ( $scene, @points ) = @_;
+    my @pairs = pairs(@points);
+    return ('PCF and VSM were not both measured here.') unless @pairs;
+    return grep { $_ ne '' } faster( $scene, @pairs ), wronger(@pairs),
+      advice( $scene, \@points, @pairs );
+}
+
+1;
