@@ -3,7 +3,8 @@
 TEST_RECOGNISED := libglm-dev:module:glm perl:command:prove \
     libembree-dev:header:/usr/include/embree*/rtcore.h \
     nlohmann-json3-dev:header:/usr/include/nlohmann/json.hpp \
-    xvfb:command:Xvfb xdotool:command:xdotool imagemagick:command:import
+    gnuplot-nox:command:gnuplot xvfb:command:Xvfb \
+    xdotool:command:xdotool imagemagick:command:import
 LINT_RECOGNISED := clang:command:clang clang-format:command:clang-format \
     shellcheck:command:shellcheck
 
@@ -63,7 +64,9 @@ sanitize: ## run every test on programs built with ASan and UBSan
 	    VSM_SLOW=1 $(MAKE) BUILD=build/sanitize CFLAGS='$(SANITIZE)' \
 	    CXXFLAGS='$(SANITIZE)' LDFLAGS='$(SANITIZE)' test
 
+REPORT_RECOGNISED := libjxl-devtools:command:butteraugli_main
 report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/report/ (REPORT=quick: in 2 minutes)
+	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the report' $(REPORT_RECOGNISED)
 	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
 
 mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
@@ -80,9 +83,7 @@ fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stabili
 	    -e "output='out/stability/fuzz.$$kind'" \
 	    tests/stability/fuzz.gp || exit 1; done
 
-FIGURE_RECOGNISED := gnuplot-nox:command:gnuplot
 figures: set-up-tests programs $(BUILD)/oracle ## make every committed picture again
-	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the figures' $(FIGURE_RECOGNISED)
 	@for p in $(PROGRAMS); do \
 	    sh tests/report/figures.sh $(BUILD) $$p || exit 1; done
 

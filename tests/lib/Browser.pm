@@ -15,7 +15,7 @@ use Time::HiRes  qw(sleep);
 use VSM          qw(spew);
 
 my ( $CHROMIUM, $DRIVER ) = qw(/usr/bin/chromium /usr/bin/chromedriver);
-my $JSON = JSON::PP->new->canonical->allow_nonref;
+my $JSON = JSON::PP->new->ascii->allow_nonref;
 
 # Why there is no browser; '' where there is one.
 sub lacking {

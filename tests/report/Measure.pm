@@ -89,9 +89,12 @@ sub kept {
 # A file is there whole or not at all.
 sub keep {
     my ( $path, $what ) = @_;
-    spew( "$path.partial", $JSON->encode($what) );
-    rename "$path.partial", "$path.json" or die "cannot write $path.json: $!\n";
-    return;
+    return
+      if eval { spew( "$path.partial", $JSON->encode($what) ) || 1 }
+      && rename "$path.partial", "$path.json";
+    my $why = $@ || "cannot write $path.json: $!\n";
+    unlink "$path.partial";
+    die "measured, but not kept: $why";
 }
 
 # --- errors and memory -------------------------------------------------------
@@ -146,7 +149,6 @@ sub errors_of {
     my $seen = butteraugli($dump);
     $found{butteraugli} = $seen           if defined $seen;
     $found{pictures}    = pictures($dump) if $point->{pictured};
-    remove_tree($dump);
     return \%found;
 }
 
@@ -286,6 +288,7 @@ sub measure_errors {
             attempt( $point, sub { errors_of( $point, $folder ) } );
         }
     );
+    remove_tree("$folder/dump");
     if ($$stopped) { delete $point->{missing}; return }
     $found or return;
     $point->{found} = $found;

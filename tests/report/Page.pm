@@ -33,8 +33,12 @@ sub number {
 
 # --- diagrams ----------------------------------------------------------------
 
+# Why diagrams could not be drawn, of the page that is being made.
+my @undrawn;
+
 sub figure {
     my ( $caption, $svg, $why ) = @_;
+    push @undrawn, "diagram '$caption': $why" if !defined $svg && $why;
     my $drawing = $svg
       // '<p class="missing">No diagram: ' . escaped( $why // '' ) . '</p>';
     return "<figure>\n$drawing\n<figcaption><small>$caption</small>"
@@ -320,7 +324,8 @@ sub filled {
     return $template =~ s/\{\{(\w+)\}\}/$value{$1} \/\/ die "no $1\n"/ger;
 }
 
-# The whole page. report: points, environment, left_out, claims.
+# The whole page, and the problems in making it. report: points, environment,
+# left_out, claims.
 sub page {
     my ( $folder, %report ) = @_;
     my @points = @{ $report{points} };
@@ -330,7 +335,8 @@ sub page {
         push @scenes, $scene unless grep { $_ eq $scene } @scenes;
     }
     my $here = $FindBin::Bin;
-    return filled(
+    @undrawn = ();
+    my $page = filled(
         slurp("$here/page.html"),
         css    => slurp("$here/page.css"),
         js     => slurp("$here/page.js"),
@@ -372,6 +378,7 @@ sub page {
         column_count => scalar @COLUMNS,
         columns      => pairs_list( map { @$_ } @COLUMNS ),
     );
+    return ( $page, @undrawn );
 }
 
 1;

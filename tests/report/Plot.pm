@@ -110,7 +110,7 @@ sub work_precision {
     };
     @points =
       grep { defined $_->{total_ms} && defined $_->{footprint_rmse} } @points;
-    return ( undef, 'nothing is measured' ) unless @points;
+    return ( '<p>Nothing is measured.</p>', '' ) unless @points;
     $add->(
         '1:2 with steps lw 6 lc rgb "#30808080"',
         'Pareto front', stair(@points)
@@ -196,7 +196,7 @@ sub growth {
         push @blocks, $block;
         push @parts,  $part;
     }
-    return ( undef, 'nothing is measured' ) unless @parts;
+    return ( '<p>Nothing is measured.</p>', '' ) unless @parts;
     return drawn(
         "growth-$name",
         $folder,

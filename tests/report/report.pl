@@ -33,9 +33,12 @@ my $folder = $ENV{REPORT_OUT} // root() . '/out/report';
 sub write_whole {
     my ( $name, $text ) = @_;
     my $path = "$folder/$name";
-    spew( "$path.partial", $text );
-    rename "$path.partial", $path or die "cannot write $path: $!\n";
-    return;
+    return
+      if eval { spew( "$path.partial", $text ) || 1 }
+      && rename "$path.partial", $path;
+    my $why = $@ || "cannot write $path: $!\n";
+    unlink "$path.partial";
+    die $why;
 }
 
 sub line_of {
@@ -135,17 +138,15 @@ sub write_results {
             }
         )
     );
-    write_whole(
-        'index.html',
-        page(
-            $folder,
-            points      => $points,
-            environment => $environment,
-            left_out    => $left_out,
-            claims      => $claims
-        )
+    my ( $page, @problems ) = page(
+        $folder,
+        points      => $points,
+        environment => $environment,
+        left_out    => $left_out,
+        claims      => $claims
     );
-    return;
+    write_whole( 'index.html', $page );
+    return @problems;
 }
 
 sub main {
@@ -160,11 +161,12 @@ sub main {
     print_table( $mode->{size}, @$points );
     print_claims(@claims);
     print_missing(@missing);
-    write_results( $mode, $points, $left_out, \@claims );
+    my @problems = write_results( $mode, $points, $left_out, \@claims );
+    print "MISSING $_\n" for @problems;
     printf "\n%d points, %d of them from an earlier run; %d missing; all of "
       . "it: %s\n", scalar @$points, $reused, scalar @missing,
       "$folder/index.html";
-    return 3 if @missing;
+    return 3 if @missing || @problems;
     return grep( { !$_->{holds} } @claims ) ? 1 : 0;
 }
 

@@ -1,0 +1,215 @@
+# `make report`: the same numbers again, and what it does when it is broken
+# off, when a program crashes, and when there is no place to write.
+use strict;
+use warnings;
+
+use Cwd        qw(abs_path);
+use File::Temp qw(tempdir);
+use JSON::PP   qw(decode_json);
+use Test::More;
+use VSM;
+
+my $folder = tempdir( CLEANUP => 1 );
+my $build  = program(1) =~ s{/[^/]+$}{}r;
+
+# A sweep of five points; @words go before the command.
+sub report {
+    my ( $out, $programs, @words ) = @_;
+    local $ENV{REPORT}     = 'tiny';
+    local $ENV{REPORT_OUT} = "$folder/$out";
+    local $ENV{VSM_BUILD}  = $programs;
+    return command( @words, $^X, root() . '/tests/report/report.pl' );
+}
+
+# The programs, of which one is a shell script in place of the real one.
+sub with_fake {
+    my ( $name, $step, $script ) = @_;
+    my $programs = "$folder/$name";
+    mkdir $programs;
+    symlink "$build/$_", "$programs/$_"
+      for 'oracle', map { program_name($_) } grep { $_ != $step } 1 .. 5;
+    my $path = "$programs/" . program_name($step);
+    spew( $path, "#!/bin/sh\nreal=" . program($step) . "\n$script" );
+    chmod 0755, $path;
+    return $programs;
+}
+
+# results.csv as {label}{column}
+sub rows_of {
+    my ($out) = @_;
+    my ( $head, @lines ) = split /\n/, slurp("$folder/$out/results.csv");
+    my %rows;
+    for (@lines) {
+        my %row;
+        @row{ split /,/, $head } = map { $_ // '' } split /,/, $_, -1;
+        $rows{ $row{label} } = \%row;
+    }
+    return %rows;
+}
+
+sub files_of {
+    my ($out) = @_;
+    return join ' ',
+      grep { -f "$folder/$out/$_" && !/^kept/ }
+      everything_below("$folder/$out");
+}
+
+# --- all goes well -----------------------------------------------------------
+
+my $first = report( 'first', $build );
+is( $first->{status}, 0, 'five points are measured' )
+  or diag( $first->{out}, $first->{err} );
+is(
+    files_of('first'),
+    'index.html results.csv results.json',
+    'a page, a table, and what it was measured on'
+);
+like( $first->{err}, qr/\d of \d+, \d:\d\d left/, 'progress, and time left' );
+my %first = rows_of('first');
+my @names = ( 'PCF 3', 'PCF 7', 'VSM 3', 'VSM 7', 'hard' );
+is( join( ', ', sort keys %first ), join( ', ', @names ), 'the points' );
+
+my $about   = decode_json( slurp("$folder/first/results.json") );
+my @columns = map { $_->{name} } @{ $about->{columns} };
+is(
+    join( ',', @columns ),
+    ( split /\n/, slurp("$folder/first/results.csv") )[0],
+    'each column is documented'
+);
+ok(
+    !(
+        grep { ( $about->{environment}{$_} // '' ) eq '' }
+        qw(cpu cores commit gl_renderer gl_version clock date)
+    ),
+    'the environment is known'
+);
+ok( ( grep { $_->{reason} =~ /first look/ } @{ $about->{left_out} } ),
+    'it says that this is not all' );
+
+# The links of a point's error add up: their means to the mean of all. Seven
+# numbers of six digits each.
+for my $name (@names) {
+    my $sum = 0;
+    $sum += $first{$name}{$_} || 0 for grep { /^chain_.*_mean$/ } @columns;
+    ok( abs( $sum - $first{$name}{light_mean} ) < 1e-6,
+        "$name: the chain's means add up" );
+}
+
+my $again = report( 'first', $build );
+is( $again->{status}, 0, 'once more' );
+like(
+    $again->{out},
+    qr/5 of them from an earlier run/,
+    'nothing is measured twice'
+);
+is_deeply( { rows_of('first') }, \%first, 'the same results, and front' );
+
+my $fresh = report( 'fresh', $build );
+my %fresh = rows_of('fresh');
+for my $name (@names) {
+    is(
+        join( ' ',
+            map  { $fresh{$name}{$_} }
+            grep { !/_(?:ms|q1|q3)$|front/ } @columns ),
+        join( ' ',
+            map    { $first{$name}{$_} }
+              grep { !/_(?:ms|q1|q3)$|front/ } @columns ),
+        "$name: measured afresh, the same errors to the last digit"
+    );
+}
+
+# --- a program crashes -------------------------------------------------------
+
+# It is asked about two widths; one of them ends in a signal.
+my $crashing = with_fake( 'crashing', 2, <<'END' );
+case "$*" in *'--kernel 7'*) kill -SEGV $$ ;; esac
+exec "$real" "$@"
+END
+my $crashed = report( 'first', $crashing );
+is( $crashed->{status}, 3, 'a crash: the exit status tells' );
+like(
+    $crashed->{out},
+    qr/^MISSING edge PCF 7: killed by signal 11/m,
+    'a crash: the terminal names the point'
+);
+my $page = slurp("$folder/first/index.html");
+like( $page, qr/edge PCF 7: killed by signal 11/, 'a crash: so does the page' );
+my %crashed = rows_of('first');
+is( $crashed{'PCF 7'}{footprint_rmse}, '', 'a crash: no number is made up' );
+is(
+    $crashed{'PCF 3'}{footprint_rmse},
+    $first{'PCF 3'}{footprint_rmse},
+    'a crash: the other points are there'
+);
+unlike( $crashed->{out}, qr/^FAILS/m, 'a crash: no claim about what is not' );
+my $repaired = report( 'first', $build );
+is( $repaired->{status}, 0, 'repaired: complete again' );
+
+# --- broken off --------------------------------------------------------------
+
+# Ctrl-C while step 5 draws: its answer comes too late.
+my $breaking = with_fake( 'breaking', 5, <<'END' );
+case "$*" in *--dump*) kill -INT $PPID ;; esac
+exec "$real" "$@"
+END
+my $broken = report( 'broken', $breaking );
+is( $broken->{status}, 3, 'broken off: the exit status tells' );
+like(
+    $broken->{out},
+    qr/MISSING edge VSM 7: not measured: it was broken off/,
+    'broken off: it says what is missing'
+);
+is(
+    files_of('broken'),
+    'index.html results.csv results.json',
+    'broken off: the page is made'
+);
+my %broken = rows_of('broken');
+is(
+    $broken{'PCF 7'}{footprint_rmse},
+    $first{'PCF 7'}{footprint_rmse},
+    'broken off: what there was is on it'
+);
+my $resumed = report( 'broken', $build );
+is( $resumed->{status}, 0, 'resumed: complete' );
+like( $resumed->{err}, qr/ of 7,/, 'resumed: only what was missing' );
+
+# --- no place to write -------------------------------------------------------
+
+# As in bad_input.t: a limit on the size of a file breaks off a write as a
+# full disk does. Blocks of 512 bytes: enough for a page, not for a dump.
+my @limited = ( '/bin/sh', '-c', 'trap "" XFSZ; ulimit -f $0; exec "$@"' );
+my $full    = report( 'full', $build, @limited, 120 );
+is( $full->{status}, 3, 'a full disk: the exit status tells' );
+like(
+    $full->{out},
+    qr/^MISSING edge hard: .*cannot write/m,
+    'a full disk: it says what is missing, and why'
+);
+is(
+    files_of('full'),
+    'index.html results.csv results.json',
+    'a full disk: the page is made where it has room'
+);
+my $none = report( 'none', $build, @limited, 1 );
+is( $none->{status}, 2, 'no room at all: the exit status tells' );
+like(
+    $none->{err},
+    qr/^report: cannot write [^\n]*results\.csv[^\n]*\n\z/m,
+    'no room at all: one line'
+);
+is( files_of('none'), '', 'no room at all: no part of a file is left' );
+
+# --- bad usage ---------------------------------------------------------------
+
+{
+    local $ENV{REPORT} = 'everything';
+    my $run = command( $^X, root() . '/tests/report/report.pl' );
+    is(
+        "$run->{status} $run->{err}",
+        "2 report: REPORT=everything: one of full, quick, tiny is needed\n",
+        'an unknown mode is refused'
+    );
+}
+
+done_testing;
