@@ -106,6 +106,7 @@ static Settings settings_of(const json &options, int step)
     if (step >= 3) {
         settings.half = stores_halves(options);
         settings.msaa = options.at("msaa").get<int>();
+        settings.central = options.at("moments") == "central";
         settings.slope_term = options.at("slope-term").get<bool>();
         settings.slope_derivatives = options.at("slope-from") == "derivatives";
         settings.projected = options.at("depth") == "projected";

@@ -60,6 +60,7 @@ struct Settings {
     bool slope_derivatives = false; // else from the triangle's plane
     bool half = false;              // moments are stored as 16-bit floats
     int msaa = 1;                   // samples per texel
+    bool central = false;           // as mean and variance, not M1 and M2
     Blur blur = Blur::NONE;
     int radius = 0;        // texels of the downsampled map
     int downsample = 1;    // map texels per downsampled texel, along an axis

@@ -27,8 +27,11 @@ static Chain chain_of(const Run &run)
         2 * s.radius + 1 > MAX_TAPS)
         throw BadInput("stability: no bound for such a filter");
     Chain chain{};
-    chain.format = &formats[s.half ? FP16_TRUNCATED : FP32];
-    chain.lookup = run.step == 5 ? LOOKUP_LERPS : LOOKUP_NONE;
+    chain.central = s.central;
+    // The program rounds central moments itself; raw ones the driver may cut
+    // off.
+    chain.format = &formats[!s.half ? FP32 : s.central ? FP16 : FP16_TRUNCATED];
+    chain.lookup = run.step == 5 ? LOOKUP_BILINEAR : LOOKUP_NONE;
     chain.factor = s.downsample;
     chain.taps = 2 * s.radius + 1;
     std::vector<double> weights = blur_weights(s);
@@ -100,8 +103,9 @@ StabilityRow variance_row(const Run &run)
                 fill_window(chain, map, (x - radius) * f, (y - radius) * f,
                             *window);
                 Exact truth = exact(&chain, window.get());
-                double m1 = filtered.at(x, y, 0), m2 = filtered.at(x, y, 1);
-                double variance = std::max(m2 - m1 * m1, 0.0);
+                double m1 = filtered.at(x, y, 0), second = filtered.at(x, y, 1);
+                double variance =
+                    chain.central ? second : std::max(second - m1 * m1, 0.0);
                 row.all++;
                 if (row.add(std::abs(variance - truth.variance),
                             variance_bound(&chain, &truth)))

@@ -6,20 +6,21 @@
 
 // One merge: its taps, how far its weights are from 1, the largest of them.
 typedef struct Pass {
-    int taps; // and roundings of weights that are no input
+    int taps;
     double defect;
     double heaviest;
 } Pass;
 
 typedef struct Passes {
-    Pass all[4];
+    Pass all[3];
     int count;
+    int lookups; // merges of two, after those
 } Passes;
 
-static void add_pass(Passes *passes, const float *weights, int taps, int made)
+static void add_pass(Passes *passes, const float *weights, int taps)
 {
     Pass *pass = &passes->all[passes->count++];
-    *pass = (Pass){.taps = taps + made};
+    *pass = (Pass){.taps = taps};
     double sum = 0;
     for (int i = 0; i < taps; i++) {
         sum += weights[i];
@@ -28,47 +29,34 @@ static void add_pass(Passes *passes, const float *weights, int taps, int made)
     pass->defect = fabs(sum - 1);
 }
 
-// The lerps of a texture unit are no merge.
 static Passes passes_of(const Chain *chain)
 {
     const float quarter[] = {0.25F, 0.25F, 0.25F, 0.25F};
-    float lookup[4];
-    Passes passes = {.count = 0};
+    Passes passes = {.lookups = chain->lookup == LOOKUP_NONE ? 0 : 2};
     if (chain->factor > 1) {
-        add_pass(&passes, quarter, 4, 0);
+        add_pass(&passes, quarter, 4);
     }
     // One tap of weight 1 changes nothing.
     for (int axis = 0; axis < 2 && chain->taps > 1; axis++) {
-        add_pass(&passes, chain->weights, chain->taps, 0);
-    }
-    if (chain->lookup == LOOKUP_WEIGHTS) {
-        lookup_weights(chain, lookup);
-        add_pass(&passes, lookup, 4, 3);
+        add_pass(&passes, chain->weights, chain->taps);
     }
     return passes;
-}
-
-// What the last pass makes is stored, unless it is the lookup.
-static int stores_of(const Chain *chain, const Passes *passes)
-{
-    return passes->count - (chain->lookup == LOOKUP_WEIGHTS ? 1 : 0);
 }
 
 static Errors raw_errors(const Chain *chain)
 {
     Passes passes = passes_of(chain);
     double s = chain->format->roundoff;
-    double factor = pow(1 + s, stores_of(chain, &passes));
-    double underflows = chain->format->tiny;
+    double factor = 1;
+    double underflows = chain->format->tiny + 4 * passes.lookups * UNDERFLOW;
     for (int i = 0; i < passes.count; i++) {
         const Pass *pass = &passes.all[i];
-        factor *= pow(1 + ROUNDOFF, pass->taps) * (1 + pass->defect);
+        factor *= pow(1 + ROUNDOFF, pass->taps) * (1 + s) * (1 + pass->defect);
         underflows += pass->taps * UNDERFLOW + chain->format->tiny;
     }
     double e = factor - 1;
     double e2 = factor * (1 + ROUNDOFF) * (1 + s) / ((1 - s) * (1 - s)) - 1;
-    double lerp = chain->lookup == LOOKUP_LERPS ? 6 * ROUNDOFF * (1 + e2) : 0;
-    underflows += lerp > 0 ? 4 * UNDERFLOW : 0;
+    double lerp = 3 * passes.lookups * ROUNDOFF * (1 + e2);
     return (Errors){.mean = e,
                     .variance = e2 + 2 * e + e * e +
                                 2 * ROUNDOFF * (1 + e2) * (1 + e) * (1 + e),
@@ -82,17 +70,20 @@ static Errors central_errors(const Chain *chain)
 {
     Passes passes = passes_of(chain);
     const Format *format = chain->format;
-    int stores = stores_of(chain, &passes);
-    int before_last = passes.count > 0 ? passes.count - 1 : 0;
-    Errors errors = {.mean =
-                         passes.count * ROUNDOFF + stores * format->roundoff,
-                     .variance = before_last * (ROUNDOFF + format->roundoff)};
+    double stored = ROUNDOFF + format->roundoff;
+    double means = passes.count * stored + passes.lookups * ROUNDOFF;
+    double last = passes.lookups > 0 ? ROUNDOFF : stored;
+    Errors errors = {.mean = means,
+                     .variance = fmax(means - last, 0),
+                     .deviation = 7 * passes.lookups * ROUNDOFF,
+                     .tiny = 16 * passes.lookups * UNDERFLOW,
+                     .tiny_shift = 4 * passes.lookups * UNDERFLOW};
     for (int i = 0; i < passes.count; i++) {
         double n = passes.all[i].taps;
         double h = passes.all[i].heaviest;
         double q = passes.all[i].defect;
-        double stored = i < stores ? format->roundoff : 0;
-        double relative = ((3 * n + 12) * ROUNDOFF + 3 * q) / h + stored;
+        double relative =
+            ((3 * n + 12) * ROUNDOFF + 3 * q) / h + format->roundoff;
         errors.deviation += relative / 2 + ((n + 3) * ROUNDOFF + q) / sqrt(h);
         errors.tiny += 4 * n * UNDERFLOW + 2 * format->tiny;
         errors.tiny_shift += 4 * n * UNDERFLOW + format->tiny;
@@ -143,6 +134,12 @@ Guard guard_of(const Chain *chain)
                    .tiny_shift = (float)(more * (e.lerp + 2 * e.tiny_shift))};
 }
 
+// From 1/2 to 1 all floats are equally far apart.
+static double rounded_most(double depth)
+{
+    return fmin(depth, 0.5);
+}
+
 // What was computed lies between these.
 typedef struct Range {
     double least, most;
@@ -178,7 +175,8 @@ static double guarded_most(const Guard *guard, bool central, double variance,
         return variance + guard->variance * m2 + guard->tiny;
     }
     double deviation = sqrt(variance + guard->tiny) * (1 + guard->deviation) +
-                       guard->variance * sqrt(m2) + guard->tiny_shift;
+                       guard->variance * rounded_most(sqrt(m2)) +
+                       guard->tiny_shift;
     return deviation * deviation;
 }
 
@@ -187,22 +185,30 @@ static double cantelli(double variance, double behind)
     return behind > 0 ? variance / (variance + behind * behind) : 1;
 }
 
+// How far M1^ can be off.
+static double mean_off(const Errors *e, bool central, const Exact *exact)
+{
+    double mean = central ? rounded_most(exact->mean) : exact->mean;
+    return e->mean * mean + e->lerp * exact->most_depth +
+           e->deviation * sqrt(exact->variance) + e->tiny_shift;
+}
+
 double p_bound(const Chain *chain, const Exact *exact, bool guarded)
 {
     Errors e = errors_of(chain);
     Range v = variance_range(&e, chain->central, exact);
-    double off = e.mean * exact->mean + e.lerp * exact->most_depth +
-                 e.deviation * sqrt(exact->variance) + e.tiny_shift;
+    double off = mean_off(&e, chain->central, exact);
     double nearest = exact->behind - off;
     if (guarded) {
         // M1^ and M2^ are no larger than these.
+        Guard guard = guard_of(chain);
         double mean = exact->mean + off;
         double m2 = v.most + mean * mean;
-        Guard guard = guard_of(chain);
-        nearest -= guard.mean * mean + guard.tiny_shift;
         if (chain->central) {
-            nearest -= guard.deviation * sqrt(v.most + guard.tiny);
+            nearest -= guard.mean * rounded_most(mean) + guard.tiny_shift +
+                       guard.deviation * sqrt(v.most + guard.tiny);
         } else {
+            nearest -= guard.mean * mean + guard.tiny_shift;
             m2 = exact->m2 * (1 + e.variance) + e.lerp2 + e.tiny;
         }
         v.most = guarded_most(&guard, chain->central, v.most, m2);

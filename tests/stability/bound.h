@@ -8,11 +8,11 @@
 // denormals); a quotient or a root by no more than 5 u. A store rounds once
 // more, by s of its value and at least e: s = 0 in fp32, 2^-11 in fp16 rounded
 // to nearest, 2^-10 truncated. P passes in a row: downsampling, two axes,
-// lookup. A pass merges n taps of weights that add up to 1 + q (each was
-// rounded; |q| is measured, not assumed), the heaviest of weight h. A sum adds
-// its products one by one: a term meets its product and at most n - 1
-// additions, so n roundings. A lookup's four weights are made in three
-// roundings each, (1 - a) (1 - b): they count as three taps more.
+// and the two halves of a lookup. A pass merges n taps of weights that add up
+// to 1 + q (each was rounded; |q| is measured, not assumed), the heaviest of
+// weight h. A sum adds its products one by one: a term meets its product and at
+// most n - 1 additions, so n roundings. A lookup merges two texels, along one
+// axis and then along the other.
 //
 // RAW. All terms are positive, so relative errors of terms are those of sums:
 //     1 + E = product over passes of (1 + u)^n (1 + s) (1 + |q|),
@@ -40,16 +40,23 @@
 // 12. c's own part says V >= h (M - c)^2 + (1 - h) (h (M - c) / (1 - h))^2 =
 // h (M - c)^2 / (1 - h), so D <= V / h: a *relative* error of V,
 //     R = ((3 n + 12) u + 3 |q|) / h + s
-// however close the depths are. A mean is off by (u + s) |m|, and by ((n + 1) u
-// + |q|) sqrt(D) from s. Later passes see a mean m_i that is off by e_i. A
-// standard deviation is a norm, of the numbers sqrt(v_i) and m_i - M under the
-// weights: moving m_i by e_i changes it by at most sqrt(sum w e_i^2), which is
-// (u + s) sqrt(M2) + ((n + 1) u + |q|) sqrt(V / h) at most, and v_i being off
-// by R by R / 2 of it. Only means before the last merge matter:
-//     |sqrt(V^) - sqrt(V)| <= G sqrt(V) + (P - 1)(u + s) sqrt(M2),
-//     |M1^ - M1| <= P (u + s) M1 + G sqrt(V),
-// G = sum over passes of R / 2 + ((n + 3) u + |q|) / sqrt(h); products of these
-// numbers are in the factors 1 + 8 (...) of the code, which hold up to G = 1/8.
+// however close the depths are. A mean is off by (u + s) min(m, 1/2), since
+// from 1/2 to 1 all floats are equally far apart, and by ((n + 1) u + |q|)
+// sqrt(D) from s. Later passes see a mean m_i that is off by
+// e_i. A standard deviation is a norm, of the numbers sqrt(v_i) and m_i - M
+// under the weights: moving m_i by e_i changes it by at most sqrt(sum w e_i^2),
+// which is (u + s) min(sqrt(M2), 1/2) + ((n + 1) u + |q|) sqrt(V / h) at most,
+// and v_i being off by R by R / 2 of it. Only means before the last merge
+// matter:
+//     |sqrt(V^) - sqrt(V)| <= G sqrt(V) + F min(sqrt(M2), 1/2),
+//     |M1^ - M1| <= F' min(M1, 1/2) + G sqrt(V),
+// F' the sum over all passes, F over all but the last of u, and s if it stores;
+// G = sum over passes of R / 2 + ((n + 3) u + |q|) / sqrt(h). A lookup's merge
+// of two, a distance d apart, (1 - a) v + a v' + a (1 - a) d^2, has only
+// positive terms, of 8 roundings at most: 4 u of the deviation. Its mean is off
+// by 3 u of the smaller part of d, min(a, 1 - a) d <= sqrt(V). So its part of G
+// is 7 u. Products of these numbers are in the factors 1 + 8 (...) of the code,
+// which hold up to G = 1/8.
 //
 // UNDERFLOW. A y or e in a sum of weights 1 + q adds up to n y and e per pass,
 // Y in all: of V^ in both cases (a merge is linear in v), and of M1^, where it

@@ -43,8 +43,7 @@ typedef struct Case {
     double low, high;
     Kernel kernel;
     int taps;
-    Lookup lookup; // of raw moments; central ones have weights
-    float across;  // where the lookup is; 0.5: halves are exactly halves
+    float across; // where the lookup is; 0.5: halves are exactly halves
 } Case;
 
 static Chain chain_of(const Case *c, const Format *format, bool central,
@@ -52,7 +51,6 @@ static Chain chain_of(const Case *c, const Format *format, bool central,
 {
     Chain chain = {.format = format,
                    .central = central,
-                   .lookup = central ? LOOKUP_WEIGHTS : c->lookup,
                    .factor = 1,
                    .across = c->across,
                    .up = c->across,
@@ -129,26 +127,23 @@ static void print_case(const Case *c, Fault fault)
 void print_case_rows(Fault fault)
 {
     static const Case shapes[] = {
-        {"radius 0", 1e-2, 0, 0.5, 1, KERNEL_BOX, 1, LOOKUP_LERPS, 0.5F},
-        {"radius 64", 1e-2, 0, 0.5, 1, KERNEL_BOX, 129, LOOKUP_LERPS, 0.5F},
+        {"radius 0", 1e-2, 0, 0.5, 1, KERNEL_BOX, 1, 0.5F},
+        {"radius 64", 1e-2, 0, 0.5, 1, KERNEL_BOX, 129, 0.5F},
         {"gaussian with weights from 1e-6 to 1", 1e-2, 0, 0.5, 1,
-         KERNEL_WIDE_GAUSSIAN, 33, LOOKUP_LERPS, 0.375F},
-        {"lookup by weights", 1e-2, 0, 0.5, 1, KERNEL_BOX, 7, LOOKUP_WEIGHTS,
-         0.375F},
+         KERNEL_WIDE_GAUSSIAN, 33, 0.375F},
+        {"lookup beside the middle", 1e-2, 0, 0.5, 1, KERNEL_BOX, 7, 0.375F},
         {"gaps of 0.9 and 1e-5 under one filter", 1e-5, 0.9, 0.9, 1, KERNEL_BOX,
-         7, LOOKUP_LERPS, 0.5F},
-        {"depth near 0", 1e-3, 0, 1e-3, 2e-3, KERNEL_BOX, 7, LOOKUP_LERPS,
-         0.5F},
+         7, 0.5F},
+        {"depth near 0", 1e-3, 0, 1e-3, 2e-3, KERNEL_BOX, 7, 0.5F},
         {"a range stretched 1e4 times by one far caster", 1e-5, 0, 0.99995, 1,
-         KERNEL_BOX, 7, LOOKUP_LERPS, 0.5F},
+         KERNEL_BOX, 7, 0.5F},
     };
     printf("case,format,moments,minimum,taps,largest,error,bound,ratio,"
            "nonfinite,searched\n");
     for (int decade = 1; decade <= 6; decade++) {
         char name[] = "gap 1e-0";
         name[sizeof name - 2] = (char)('0' + decade);
-        Case gap = {name, pow(10, -decade), 0,   0.5, 1, KERNEL_BOX,
-                    7,    LOOKUP_LERPS,     0.5F};
+        Case gap = {name, pow(10, -decade), 0, 0.5, 1, KERNEL_BOX, 7, 0.5F};
         print_case(&gap, fault);
     }
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
@@ -182,10 +177,7 @@ void print_shadow_table(void)
     printf("%-14s %-7s %4s %7s %9s %9s %9s\n", "format", "moments", "taps",
            "gap", "p left", "predicted", "4 u M2");
     for (int i = 0; i < FORMATS * 2 * 2; i++) {
-        Case c = {.kernel = KERNEL_BOX,
-                  .taps = taps[i % 2],
-                  .lookup = LOOKUP_LERPS,
-                  .across = 0.375F};
+        Case c = {.kernel = KERNEL_BOX, .taps = taps[i % 2], .across = 0.375F};
         Chain chain = chain_of(&c, &formats[i / 4], i / 2 % 2 == 1, NO_FAULT);
         for (int decade = 1; decade <= 6; decade++) {
             print_shadow(&chain, pow(10, -decade));

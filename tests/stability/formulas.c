@@ -53,16 +53,6 @@ int chain_side(const Chain *chain)
     return chain->factor * blurred_side(chain);
 }
 
-void lookup_weights(const Chain *chain, float weights[4])
-{
-    float left = 1 - chain->across;
-    float below = 1 - chain->up;
-    weights[0] = left * below;
-    weights[1] = chain->across * below;
-    weights[2] = left * chain->up;
-    weights[3] = chain->across * chain->up;
-}
-
 // A texel: M1 and M2, or mean and variance.
 typedef struct Pair {
     float first, second;
@@ -144,25 +134,33 @@ static float lerp(float a, float b, float part)
     return a + part * (b - a);
 }
 
-static Pair lerp_pair(Pair a, Pair b, float part)
+static Pair merge_two_raw(Pair one, Pair other, float part)
 {
-    return (Pair){lerp(a.first, b.first, part), lerp(a.second, b.second, part)};
+    return (Pair){lerp(one.first, other.first, part),
+                  lerp(one.second, other.second, part)};
+}
+
+// All terms of the variance are positive. The mean is taken from the larger
+// part: what is added has no roundings of a distant depth's size.
+static Pair merge_two_central(Pair one, Pair other, float part)
+{
+    float rest = 1 - part;
+    float apart = other.first - one.first;
+    float mean =
+        part < 0.5F ? one.first + part * apart : other.first - rest * apart;
+    return (Pair){mean, rest * one.second + part * other.second +
+                            part * rest * apart * apart};
 }
 
 static Pair look_up(const Chain *chain, const Pair corners[4])
 {
-    float weights[4];
-    switch (chain->lookup) {
-    case LOOKUP_NONE:
+    Pair (*two)(Pair, Pair, float) =
+        chain->central ? merge_two_central : merge_two_raw;
+    if (chain->lookup == LOOKUP_NONE) {
         return corners[0];
-    case LOOKUP_LERPS:
-        return lerp_pair(lerp_pair(corners[0], corners[1], chain->across),
-                         lerp_pair(corners[2], corners[3], chain->across),
-                         chain->up);
-    default:
-        lookup_weights(chain, weights);
-        return merge(chain, corners, 1, weights, 4);
     }
+    return two(two(corners[0], corners[1], chain->across),
+               two(corners[2], corners[3], chain->across), chain->up);
 }
 
 // Blurs rows, then columns: what is left is the lookup's 2 x 2 texels.
@@ -193,7 +191,7 @@ static float guarded_variance(const Chain *chain, const Guard *guard,
         return variance + (guard->variance * pair.second + guard->tiny);
     }
     // What underflow took is inside the root: a square root magnifies it.
-    float size = sqrtf(pair.first * pair.first + variance);
+    float size = fminf(sqrtf(pair.first * pair.first + variance), 0.5F);
     float deviation = sqrtf(variance + guard->tiny) * (1 + guard->deviation) +
                       guard->variance * size + guard->tiny_shift;
     return deviation * deviation;
@@ -210,8 +208,9 @@ Estimate estimate(const Chain *chain, const Window *window, const Guard *guard)
     float most = fmaxf(guarded_variance(chain, guard, variance, pair), FLT_MIN);
     float spread =
         chain->central ? guard->deviation * sqrtf(variance + guard->tiny) : 0;
+    float mean = chain->central ? fminf(pair.first, 0.5F) : pair.first;
     float behind = (window->t - pair.first) -
-                   (guard->mean * pair.first + spread + guard->tiny_shift);
+                   (guard->mean * mean + spread + guard->tiny_shift);
     float p = behind > 0 ? most / (most + behind * behind) : 1;
     return (Estimate){pair.first, variance, p};
 }

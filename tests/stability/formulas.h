@@ -30,9 +30,10 @@ typedef enum Fault {
     BOUND_TENFOLD
 } Fault;
 
-// How 2 x 2 texels become one: by four weights, by a + w (b - a) along each
-// axis as a texture unit does it (raw moments only), or not at all.
-typedef enum Lookup { LOOKUP_WEIGHTS, LOOKUP_LERPS, LOOKUP_NONE } Lookup;
+// How 2 x 2 texels become one: two at a time, along one axis and then along the
+// other (raw a + w (b - a), as a texture unit does it; central without
+// cancellation), or not at all.
+typedef enum Lookup { LOOKUP_BILINEAR, LOOKUP_NONE } Lookup;
 
 // What happens to depths between the map and the bound: the mean of factor x
 // factor texels, a blur along u and one along v, a bilinear lookup.
@@ -58,6 +59,7 @@ typedef struct Guard {
     float variance;   // raw: of M2; central: of sqrt(M2), to the deviation
     float deviation;  // central: of the deviation
     float mean;       // t - M1 shrinks by this much of M1
+                      // (central: M1 and sqrt(M2) count as 1/2 at most)
     float tiny;       // whatever the moments: added to the variance
     float tiny_shift; // and to the shrinking (central: and the deviation)
 } Guard;
@@ -80,7 +82,6 @@ typedef struct Exact {
 int chain_corners(const Chain *chain);
 // Texels of the map along an axis that the whole chain reads.
 int chain_side(const Chain *chain);
-void lookup_weights(const Chain *chain, float weights[4]);
 float format_store(const Format *format, float value);
 
 // exact() takes the depths as the texels hold them, that is, stored.

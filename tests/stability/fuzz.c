@@ -90,9 +90,7 @@ static Chain random_chain(Random *random, Fault fault)
                    .across = (float)random_part(random),
                    .up = (float)random_part(random),
                    .fault = fault};
-    // Central moments are never looked up by a texture unit.
-    const Lookup lookups[] = {LOOKUP_WEIGHTS, LOOKUP_NONE, LOOKUP_LERPS};
-    chain.lookup = lookups[random_below(random, chain.central ? 2 : 3)];
+    chain.lookup = random_below(random, 3) > 0 ? LOOKUP_BILINEAR : LOOKUP_NONE;
     Kernel kernel = (Kernel)random_below(random, 3);
     chain_set_kernel(&chain, kernel, 1 + 2 * random_below(random, 8), random);
     return chain;
