@@ -277,7 +277,7 @@ my %mutants = (
     ],
     'light outside the cone' => [
         'lights', 'step1_shadowmap/shaders/scene.frag',
-        'facing > 0.0 && cosine > cone_cosines.x', 'facing > 0.0'
+        'facing > 0.0 && spread < cone_spreads.x', 'facing > 0.0'
     ],
     'light that falls with the distance only' => [
         'lights', 'step1_shadowmap/shaders/scene.frag',

@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/scene_draw.h"
 
-#include <math.h>   // cos
+#include <math.h>   // sin
 #include <stdlib.h> // free
 #include <string.h> // memcpy, strcmp
 
@@ -154,6 +154,13 @@ SceneDraw scene_draw_create_from(const SceneSource *source,
     return draw;
 }
 
+// 1 - cos(angle), without taking two numbers near 1 from each other.
+static float spread_of(double angle)
+{
+    double half = sin(0.5 * angle);
+    return (float)(2 * half * half);
+}
+
 // A light that is not a spot has a cone that holds every direction, and one
 // that is parallel is everywhere at the distance where its radiance holds.
 static void set_falloff(GLuint program, const Light *light)
@@ -165,9 +172,9 @@ static void set_falloff(GLuint program, const Light *light)
     glUniform3f(glGetUniformLocation(program, "cone_axis"),
                 (float)light->direction[0], (float)light->direction[1],
                 (float)light->direction[2]);
-    glUniform2f(glGetUniformLocation(program, "cone_cosines"),
-                spot ? (float)cos(light->cone) : -3,
-                spot ? (float)cos(BRIGHT_PART * light->cone) : -2);
+    glUniform2f(glGetUniformLocation(program, "cone_spreads"),
+                spot ? spread_of(light->cone) : 4,
+                spot ? spread_of(BRIGHT_PART * light->cone) : 3);
 }
 
 static void set_uniforms(GLuint program, const Scene *scene, const Views *views)

@@ -66,14 +66,23 @@ static Facing side(Interval towards)
     return towards.hi < 0 ? Facing::AWAY : Facing::UNKNOWN;
 }
 
+// 1 - cosine of the angle to the cone's axis, by the length of the difference
+// of both directions. Each is off by what local_cosine() says; three squares,
+// two sums, a half.
 static Facing cone_side(const Receiver &receiver, const MapView &view)
 {
     if (view.lamp != Lamp::SPOT)
         return Facing::TOWARDS;
-    glm::dvec3 axis = direction(view.rows[3]);
-    Interval inside = Interval(0) -
-                      local_cosine(axis, view, receiver.position) -
-                      widened(std::cos(view.cone), UNIT_ROUNDOFF);
+    glm::dvec3 towards = view.position - receiver.position;
+    double length = glm::length(towards);
+    double size = glm::length(view.position) + glm::length(receiver.position);
+    double error = rounding_share(2) * size / length + rounding_share(10);
+    double apart = glm::length(direction(view.rows[3]) + towards / length);
+    double spread = apart * apart / 2;
+    double half = std::sin(view.cone / 2);
+    Interval inside = rounded(2 * half * half, UNIT_ROUNDOFF) -
+                      widened(spread, apart * error + error * error / 2 +
+                                          rounding_share(5) * spread);
     return side(inside);
 }
 
