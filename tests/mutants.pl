@@ -145,6 +145,19 @@ my %mutants = (
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'variance / (variance + behind', 'moments.x / (moments.x + behind'
     ],
+    'a central merge about no depth of its own' => [
+        'stability/stability', 'step3_moments/shaders/merge_central.glsl',
+        'return Merge(heaviest.x, 0.0, 0.0);', 'return Merge(0.0, 0.0, 0.0);'
+    ],
+    'depths outside the range' => [
+        'stability/stability', 'step1_shadowmap/shaders/light_depth.glsl',
+        'clamp(light_depth(relative_position, layer), 0.0, 1.0)',
+        'light_depth(relative_position, layer)'
+    ],
+    'a lookup whose variance forgets the distance' => [
+        'stability/stability', 'step3_moments/shaders/merge_central.glsl',
+        'part * rest * apart * apart', '0.0'
+    ],
     'weights of 2 x 2 swapped' => [
         'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
         'return 1.0 - part;', 'return part;'
@@ -472,8 +485,9 @@ sub plant_one {
 sub first_failure {
     my ( $test, $folder ) = @_;
     local $ENV{VSM_SHADERS} = $folder;
+    my $file = 'tests/' . ( $test =~ m{/} ? '' : 'images/' ) . "$test.t";
     my $child = open my $tap, '-|',
-      "exec perl -Itests/lib tests/images/$test.t 2>/dev/null"
+      "exec perl -Itests/lib $file 2>/dev/null"
       or die "cannot run perl: $!\n";
     while (<$tap>) {
         next unless /^not ok \d+ - (.*)$/;

@@ -23,7 +23,7 @@ static void paint_caster(Object *object)
 // what the cone lights.
 void scene_build_lamp(Scene *scene, const double values[])
 {
-    const double far = 16;
+    const double far = 20; // the floor's corners are nearer
     const double lamp[3] = {1.5, 9, 1};
     const double target[3] = {0, 0, 0};
     const double eye[3] = {-2.5, 6, 5};
@@ -37,7 +37,9 @@ void scene_build_lamp(Scene *scene, const double values[])
     scene->light.cone = half;
     scene->light.near = far / values[LAMP_RATIO];
     scene->light.far = far;
-    scene_add_floor(scene, scene_add_mesh(scene, mesh_plane()));
+    Object *ground =
+        scene_add_floor(scene, scene_add_mesh(scene, mesh_plane()));
+    ground->transform[0][0] = ground->transform[2][2] = 20;
     // Its edge is where the axis is half-way down.
     const double size[3] = {2, 0.01, 2};
     const double middle[3] = {0.75 - 1, 4.5, 0.5};

@@ -67,8 +67,12 @@ static size_t non_finite(const Run &run)
     return count;
 }
 
-static void print(const StabilityRow &row, size_t bad)
+static void print(StabilityRow row, size_t bad)
 {
+    if (row.compared == 0) {
+        row.error = row.open_error;
+        row.bound = row.open_bound;
+    }
     std::printf("%s,%zu,%zu,%.3g,%.3g,%.3g,", row.quantity.c_str(),
                 row.compared, row.all, row.error, row.bound, row.ratio);
     if (row.searched >= 0)

@@ -14,7 +14,8 @@
 //   depth       step 1: each texel, against rays
 //   visibility  step 2: each pixel, from its t and the map
 //   variance    steps 3, 4: of each texel, from the depths under its filter
-//   p           step 5: each pixel behind its mean whose bound is at most 0.1
+//   p           step 5: each pixel behind its mean whose bound is at most 0.1;
+//               if there is none, the largest error of the others
 void print_stability(const Run &run);
 
 #endif

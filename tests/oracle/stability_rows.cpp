@@ -126,6 +126,11 @@ struct Seen {
     double p, lit, bound;
 };
 
+// The largest error of those whose bound promises nothing.
+struct Open {
+    double error = 0, bound = 1;
+};
+
 } // namespace
 
 // Where the lookup falls between texels is right to a rounding of u and v, as
@@ -197,6 +202,7 @@ StabilityRow p_row(const Run &run)
         maps.push_back(load_map(run, int(layer)));
     auto window = std::make_unique<Window>(),
          worst = std::make_unique<Window>();
+    Open open;
     int stride = stride_of(chain, 4.0 * run.width * run.height);
     for (int y = 0; y < run.height; y += stride)
         for (int x = 0; x < run.width; x += stride) {
@@ -215,8 +221,11 @@ StabilityRow p_row(const Run &run)
             if (seen.p == 1 && error <= seen.bound)
                 continue;
             row.all++;
-            if (seen.bound > NO_PROMISE && error <= seen.bound)
+            if (seen.bound > NO_PROMISE && error <= seen.bound) {
+                if (error >= open.error)
+                    open = {error, seen.bound};
                 continue;
+            }
             if (row.add(error, seen.bound)) {
                 *worst = *window;
                 worst_chain = chain;
@@ -225,5 +234,7 @@ StabilityRow p_row(const Run &run)
     if (row.compared > 0 && !s.reduces())
         row.searched = std::max(
             row.ratio, search_from(worst_chain, OF_P, guarded, *worst));
+    row.open_error = open.error;
+    row.open_bound = open.bound;
     return row;
 }

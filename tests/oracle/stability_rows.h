@@ -12,6 +12,7 @@ struct StabilityRow {
     double error = 0, bound = 0, ratio = 0;
     double searched = -1; // below 0: no search
     double below = 0;
+    double open_error = 0, open_bound = 0; // of what has no promise
 
     // An error and its bound; whether it is the largest part so far.
     bool add(double found, double most)
