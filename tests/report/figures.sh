@@ -64,6 +64,9 @@ step3_moments)
     panel linear --scene stage --show mean
     panel projected --scene stage --show mean --depth projected
     join "$program/technique_depth.png" linear projected
+    panel texels --scene fence --map-size 128 --radius 1
+    panel samples --scene fence --map-size 128 --radius 1 --msaa 4
+    join "$program/technique_msaa.png" texels samples
     ;;
 step4_blur)
     drawn=step5_chebyshev

@@ -338,6 +338,9 @@ sub check_slope_term {
     is_refused( $step, [qw(--slope-from plane)],
         [qr/--slope-from plane needs --slope-term: add.*or drop/],
         '--slope-from without --slope-term' );
+    is_refused( $step, [qw(--slope-term --slope-from derivatives --msaa 4)],
+        [qr/--slope-from derivatives.*--msaa 4.*drop one/],
+        'derivatives with --msaa' );
     return;
 }
 
