@@ -105,6 +105,10 @@ my %mutants = (
         'step4', 'step4_blur/shaders/blur.frag',
         'weight, map_texel', '1.01 * weight, map_texel'
     ],
+    'one texel for a group' => [
+        'step4', 'step4_blur/shaders/downsample.frag',
+        'corner + ivec2(x, y)', 'corner'
+    ],
     'half a texel off while downsampling' => [
         'step4', 'step4_blur/shaders/downsample.frag',
         '* factor;', '* factor + 1;'
@@ -174,6 +178,15 @@ my %mutants = (
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'variance + variance_bias', 'variance - variance_bias'
     ],
+    'a variance bias without a limit' => [
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
+        'min(variance + variance_bias, 1.0)', 'variance + variance_bias'
+    ],
+    'a smooth reduction without rounded ends' => [
+        'step5', 'step5_chebyshev/shaders/reduction_smooth.glsl',
+        'smoothstep(bleed_reduction, 1.0, p_max)',
+        'clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0, 1.0)'
+    ],
     'a smooth reduction from 0' => [
         'step5', 'step5_chebyshev/shaders/reduction_smooth.glsl',
         'smoothstep(bleed_reduction', 'smoothstep(0.0'
@@ -181,6 +194,11 @@ my %mutants = (
     'what is outside the map is near' => [
         'step4', 'step4_blur/shaders/map_texel.glsl',
         'far_moments', 'vec2(0.0)'
+    ],
+    'a least variance of the rounding only' => [
+        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
+        'max(min_variance, min_variance_of_m2 * moments.y)',
+        'min_variance_of_m2 * moments.y'
     ],
     'no least variance' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
@@ -254,6 +272,10 @@ my %mutants = (
         'moments', 'step3_moments/shaders/triangle_plane.geom',
         'corner_position[2].xyz - first', 'corner_position[2].xyz'
     ],
+    'four times the variance by derivatives' => [
+        'moments', 'step3_moments/shaders/slope_derivatives.glsl',
+        '0.25 * dot', 'dot'
+    ],
     'a derivative for both axes' => [
         'moments', 'step3_moments/shaders/slope_derivatives.glsl',
         'dFdy(light', 'dFdx(light'
@@ -307,6 +329,10 @@ my %mutants = (
     'a distance that is not squared' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
         'behind * behind', 'abs(behind)'
+    ],
+    'a reduction that cuts and does not stretch' => [
+        'step5', 'step5_chebyshev/shaders/reduction_linear.glsl',
+        ' / (1.0 - bleed_reduction)', ''
     ],
     'reduction without the clamp' => [
         'step5',
