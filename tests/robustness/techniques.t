@@ -1,5 +1,6 @@
 # The README's table of techniques promises an option, a step and a test for
-# each: that they exist, and that the test uses the option.
+# each: that they exist, that the step says something about it, and that the
+# test uses the option.
 use strict;
 use warnings;
 
@@ -28,6 +29,10 @@ for my $row (@rows) {
     ok( defined $choices, "$name: step $step has $flag" ) or next;
     my $known = !defined $value || $choices !~ /,/ || $choices =~ /\b$value\b/;
     ok( $known, "$name: $flag takes " . ( $value // 'any' ) );
+    my $words = join '', map { slurp($_) } glob root() . "/step${step}_*/*.md";
+    like( $words, qr/\Q$flag\E\b/, "$name: step $step says what $flag is for" );
+    like( $words, qr/\b$value\b/, "$name: step $step says what $value is" )
+      if defined $value;
     my $file = root() . "/$test";
     ok( -e $file && $test =~ m{^tests/.*\.t$}, "$name: $test exists" ) or next;
     like( slurp($file), qr/\Q$flag\E\b|^    '?@{[ substr $flag, 2 ]}'? +=>/m,
