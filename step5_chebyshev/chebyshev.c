@@ -2,8 +2,6 @@
 
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // die
-
 const Option chebyshev_options[] = {
     {.name = "min-variance",
      .kind = OPTION_NUMBER,
@@ -13,7 +11,7 @@ const Option chebyshev_options[] = {
      .choices = "auto",
      .argument = "X",
      .help = "least variance, in units of the squared depth range; auto: "
-             "what the format's rounding can hide"},
+             "add what rounding can hide of it, from format and filter"},
     {.name = "variance-bias",
      .kind = OPTION_NUMBER,
      .offset = offsetof(ChebyshevSettings, variance_bias),
@@ -50,32 +48,30 @@ const char *chebyshev_reduction_shader(const ChebyshevSettings *settings)
                : "step5_chebyshev/shaders/reduction_linear.glsl";
 }
 
-// The largest relative error of rounding one number to the nearest of the
-// format. (Software Mesa cuts 16-bit stores off instead: twice as much.)
-static double unit_roundoff(GLenum format)
+const char *chebyshev_guard_shader(const ChebyshevSettings *settings,
+                                   const MomentsSettings *moments)
 {
-    switch (format) {
-    case GL_RG32F:
-        return 0x1p-24;
-    case GL_RG16F:
-        return 0x1p-11;
-    default:
-        die("no unit roundoff for the format 0x%x", format);
+    if (settings->min_variance != OPTION_AUTO) {
+        return "step5_chebyshev/shaders/guard_constant.glsl";
     }
+    return moments_are_central(moments)
+               ? "step5_chebyshev/shaders/guard_central.glsl"
+               : "step5_chebyshev/shaders/guard_raw.glsl";
 }
 
-void chebyshev_apply(const ChebyshevSettings *settings, GLenum format,
-                     GLuint program)
+void chebyshev_apply(const ChebyshevSettings *settings,
+                     const GuardNumbers *guard, GLuint program)
 {
-    bool automatic = settings->min_variance == OPTION_AUTO;
-    double constant = automatic ? 0 : settings->min_variance;
-    double relative = automatic ? 4 * unit_roundoff(format) : 0;
     glUseProgram(program);
-    glUniform1f(glGetUniformLocation(program, "min_variance"), (float)constant);
-    glUniform1f(glGetUniformLocation(program, "min_variance_of_m2"),
-                (float)relative);
     glUniform1f(glGetUniformLocation(program, "variance_bias"),
                 (float)settings->variance_bias);
     glUniform1f(glGetUniformLocation(program, "bleed_reduction"),
                 (float)settings->bleed_reduction);
+    // What the program does not use has no location and is ignored.
+    glUniform1f(glGetUniformLocation(program, "min_variance"),
+                (float)settings->min_variance);
+    glUniform1f(glGetUniformLocation(program, "guard_spread"), guard->spread);
+    glUniform2fv(glGetUniformLocation(program, "guard_variance"), 1,
+                 guard->variance);
+    glUniform2fv(glGetUniformLocation(program, "guard_mean"), 1, guard->mean);
 }

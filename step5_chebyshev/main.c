@@ -11,6 +11,7 @@
 #include "step4_blur/blur.h"                 // blur_apply
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_apply
 #include "step5_chebyshev/deferred.h"        // deferred_draw
+#include "step5_chebyshev/guard_settings.h"  // guard_of_settings
 #include "step5_chebyshev/shading.h"         // shading_shaders
 
 static struct {
@@ -26,7 +27,8 @@ static struct {
     Geometry geometry;
     MomentsMap map;
     Blur filter;
-    GLuint filtered; // the map that the picture looks up
+    GuardNumbers guard; // against what all that rounds
+    GLuint filtered;    // the map that the picture looks up
     SceneDraw picture;
     Deferred deferred;
     Stopwatch stopwatch;
@@ -67,6 +69,8 @@ static void create(void)
         state.map = moments_create(files, &state.views, &state.moments);
         state.filter =
             blur_create(files, &state.blur, &state.moments, &state.map);
+        state.guard =
+            guard_of_settings(&state.moments, &state.blur, &state.filter);
     }
     state.picture =
         scene_draw_create_from(deferred_source(state.shading.deferred),
@@ -84,8 +88,7 @@ static void draw_frame(void)
         state.filtered = blur_apply(&state.filter, &state.map);
         stopwatch_lap(&state.stopwatch, "blur");
     }
-    chebyshev_apply(&state.chebyshev, moments_format(&state.moments),
-                    state.picture.program.id);
+    chebyshev_apply(&state.chebyshev, &state.guard, state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
                   &state.geometry, &state.views, state.filtered);

@@ -60,9 +60,15 @@ void shading_shaders(const ShadingSettings *settings, const BlurSettings *blur,
                      const MomentsSettings *moments,
                      const ChebyshevSettings *chebyshev, const char *files[])
 {
+    int count = 1;
     files[0] = chebyshev_reduction_shader(chebyshev);
     blur_picture_shaders(blur, moments,
-                         "step5_chebyshev/shaders/chebyshev.glsl", &files[1]);
+                         chebyshev_guard_shader(chebyshev, moments), &files[1]);
+    while (files[count] != NULL) {
+        count++;
+    }
+    files[count] = "step5_chebyshev/shaders/chebyshev.glsl";
+    files[count + 1] = NULL;
     if (strcmp(settings->sat_width, "adaptive") == 0) {
         adapt_box(files);
     }

@@ -22,7 +22,7 @@ void shading_settings_check(const ShadingSettings *settings,
                             const MomentsSettings *moments,
                             const int map_size[2], const OptionTable tables[]);
 
-enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 2 };
+enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 3 };
 
 // The shader files that define visibility() for these settings, up to
 // SHADING_MAX_SHADERS with the NULL at the end.

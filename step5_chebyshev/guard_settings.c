@@ -1,0 +1,65 @@
+// The averages that these settings make, in their order.
+#include "step5_chebyshev/guard_settings.h"
+
+#include <stdlib.h> // free
+
+#include "step1_shadowmap/base/die.h" // allocate
+
+// Both axes of the blur. Its weights are rounded, each by a part of itself: so
+// is their sum.
+static void add_blur(GuardChain *chain, const BlurSettings *settings)
+{
+    int taps = 2 * blur_used_radius(settings) + 1;
+    float *weights = allocate((size_t)taps, sizeof *weights);
+    blur_weights(settings->kernel, settings->radius, weights);
+    GuardPass pass = {.taps = taps,
+                      .heaviest = (double)weights[taps / 2],
+                      .defect = 0x1p-24,
+                      .stored = true};
+    free(weights);
+    guard_add(chain, pass);
+    guard_add(chain, pass);
+}
+
+// The coarsest level, for which there are the most passes; then between two
+// levels, then the taps along the pixel.
+static void add_levels(GuardChain *chain, const Blur *filter)
+{
+    for (int level = 1; level < filter->mips.levels; level++) {
+        guard_add(chain, (GuardPass){
+                             .taps = 16, .heaviest = 9.0 / 64, .stored = true});
+    }
+    guard_add_bilinear(chain);
+    guard_add(chain, (GuardPass){.two = true});
+    if (filter->anisotropy > 1) {
+        guard_add_box(chain, filter->anisotropy);
+        chain->passes[chain->count - 1].stored = false;
+    }
+}
+
+GuardNumbers guard_of_settings(const MomentsSettings *moments,
+                               const BlurSettings *settings, const Blur *filter)
+{
+    GuardChain chain = {.central = moments_are_central(moments)};
+    if (moments_format(moments) == GL_RG16F) {
+        // Raw moments are left to the driver, which may cut them off.
+        chain.store_roundoff = chain.central ? 0x1p-11 : 0x1p-10;
+        chain.store_tiny = chain.central ? 0x1p-25 : 0x1p-24;
+    }
+    if (settings->downsample > 1) {
+        guard_add_box(&chain, settings->downsample * settings->downsample);
+    }
+    if (settings->sat) {
+        chain.table_error = 0.5 / filter->sat.steps + 24 * 0x1p-24;
+        return guard_numbers(&chain);
+    }
+    if (filter->radius > 0) {
+        add_blur(&chain, settings);
+    }
+    if (settings->mips) {
+        add_levels(&chain, filter);
+    } else {
+        guard_add_bilinear(&chain);
+    }
+    return guard_numbers(&chain);
+}
