@@ -46,6 +46,9 @@ GuardNumbers guard_of_settings(const MomentsSettings *moments,
         chain.store_roundoff = chain.central ? 0x1p-11 : 0x1p-10;
         chain.store_tiny = chain.central ? 0x1p-25 : 0x1p-24;
     }
+    if (moments->msaa > 1) {
+        guard_add_box(&chain, moments->msaa);
+    }
     if (settings->downsample > 1) {
         guard_add_box(&chain, settings->downsample * settings->downsample);
     }

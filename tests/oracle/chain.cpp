@@ -55,6 +55,13 @@ static double to_float(double value, int bits, int least)
 static Store store_of(const Settings &settings)
 {
     int bits = settings.half ? 11 : 24, least = settings.half ? -14 : -126;
+    if (settings.central)
+        return [=](const glm::dvec2 &m) {
+            double mean = to_float(m.x, bits, least);
+            double variance =
+                to_float(std::max(m.y - m.x * m.x, 0.0), bits, least);
+            return glm::dvec2(mean, variance + mean * mean);
+        };
     return [=](const glm::dvec2 &m) {
         return glm::dvec2(to_float(m.x, bits, least),
                           to_float(m.y, bits, least));
@@ -171,10 +178,16 @@ static Rule compared_mean(const TruthScene &scene)
 }
 
 // Step 5, with these of its settings.
-static Rule bound(const Settings &settings)
+static Rule bound(const TruthScene &scene, const Settings &settings)
 {
-    return [settings](const Receiver &, const glm::dvec2 &moments, double t) {
-        return chebyshev_exact(moments.x, moments.y, t, settings);
+    Run run = scene.run;
+    run.settings = settings;
+    Formula formula(run);
+    return [&scene, formula](const Receiver &r, const glm::dvec2 &moments,
+                             double t) {
+        double variance = std::max(moments.y - moments.x * moments.x, 0.0);
+        return chebyshev_exact(moments.x, variance, t,
+                               depth_noise(scene.view(r), r.position), formula);
     };
 }
 
@@ -194,8 +207,8 @@ std::vector<Truth> models_of(const TruthScene &scene)
     Settings bare = floored;
     bare.auto_variance = false;
     bare.min_variance = bare.variance_bias = 0;
-    return {model(scene, "chebyshev", exact, bound(bare)),
-            model(scene, "floor", exact, bound(floored)),
-            model(scene, "reduction", exact, bound(run.settings)),
-            model(scene, "format", stored, bound(run.settings))};
+    return {model(scene, "chebyshev", exact, bound(scene, bare)),
+            model(scene, "floor", exact, bound(scene, floored)),
+            model(scene, "reduction", exact, bound(scene, run.settings)),
+            model(scene, "format", stored, bound(scene, run.settings))};
 }

@@ -1,28 +1,88 @@
 #include "tests/oracle/chebyshev_bound.h"
 
 #include <algorithm> // clamp, max, min
-#include <cmath>     // exp2, floor, log2, pow
+#include <cmath>     // exp2, floor, log2, pow, sqrt
 
 #include "tests/oracle/rounding.h"
 
-// Of the format that the moments are stored in.
-static double format_roundoff(const Settings &settings)
+double depth_noise(const MapView &view, const glm::dvec3 &position)
 {
-    return settings.half ? 0x1p-11 : UNIT_ROUNDOFF;
+    glm::dvec3 gradient(view.rows[2]);
+    if (view.projected) {
+        glm::dvec4 p(position, 1);
+        double w = glm::dot(view.rows[3], p);
+        double t = glm::dot(view.rows[2], p) / w;
+        gradient = (gradient - t * glm::dvec3(view.rows[3])) / w;
+    }
+    double steepness = glm::length(gradient);
+    if (!view.parallel() && !view.projected)
+        steepness = 1 / (view.far - view.near);
+    return 64 * UNIT_ROUNDOFF * steepness * glm::length(position);
 }
 
-static Interval minimum_variance(Interval m2, const Settings &settings)
+namespace
 {
-    if (settings.auto_variance) // a power of two times m2: exact in float
-        return 4 * format_roundoff(settings) * m2;
-    return rounded(settings.min_variance, UNIT_ROUNDOFF);
+
+// What goes into the bound.
+struct Depths {
+    Interval mean, variance;
+};
+
+} // namespace
+
+static Interval variance_of(const Moments &m, const Settings &settings)
+{
+    if (settings.central)
+        return m.second;
+    Interval squared = rounded(square(m.m1), UNIT_ROUNDOFF);
+    return rounded(m.second - squared, UNIT_ROUNDOFF);
 }
 
-static Interval variance_of(Interval m1, Interval m2, const Settings &settings)
+// --min-variance auto of M1 and M2: sums of positive numbers.
+static Depths guarded_raw(const Moments &m, const Formula &f)
 {
-    Interval squared = rounded(square(m1), UNIT_ROUNDOFF);
-    Interval difference = rounded(m2 - squared, UNIT_ROUNDOFF);
-    Interval variance = maximum(difference, minimum_variance(m2, settings));
+    Interval more_mean = f.guard.mean * m.m1 + Interval(f.guard.mean_fixed);
+    Interval more = f.guard.variance * m.second + f.guard.variance_fixed;
+    Interval variance = maximum(variance_of(m, f.settings), 0);
+    return {rounded(m.m1 + more_mean, rounding_share(1)),
+            rounded(variance + more, rounding_share(4))};
+}
+
+static Interval root(Interval a)
+{
+    return {std::sqrt(std::max(a.lo, 0.0)), std::sqrt(std::max(a.hi, 0.0))};
+}
+
+// Of mean and variance: also. A root or a length of a vector may be 3 units
+// off, and the noise is made of four of those.
+static Depths guarded_central(const Moments &m, double noise, const Formula &f)
+{
+    Interval variance = maximum(m.second, 0);
+    Interval size = root(square(m.m1) + variance);
+    size = {rounded_part(size.lo), rounded_part(size.hi)};
+    Interval part = {rounded_part(m.m1.lo), rounded_part(m.m1.hi)};
+    Interval deviation = root(variance + Interval(f.guard.variance_fixed));
+    Interval spread = f.guard.spread * deviation;
+    Interval more_mean =
+        f.guard.mean * part + spread + Interval(f.guard.mean_fixed);
+    Interval most = deviation + spread + f.guard.variance * size +
+                    Interval(f.guard.mean_fixed);
+    Interval own = rounded(square(noise), rounding_share(32));
+    return {rounded(m.m1 + more_mean, rounding_share(1)),
+            rounded(square(most) + own, rounding_share(20))};
+}
+
+static Depths guarded(const Moments &m, double noise, const Formula &f)
+{
+    if (f.settings.auto_variance)
+        return f.settings.central ? guarded_central(m, noise, f)
+                                  : guarded_raw(m, f);
+    Interval least = rounded(f.settings.min_variance, UNIT_ROUNDOFF);
+    return {m.m1, maximum(variance_of(m, f.settings), least)};
+}
+
+static Interval biased(Interval variance, const Settings &settings)
+{
     if (settings.variance_bias == 0)
         return variance;
     Interval bias = rounded(settings.variance_bias, UNIT_ROUNDOFF);
@@ -30,13 +90,13 @@ static Interval variance_of(Interval m1, Interval m2, const Settings &settings)
     return {std::min(sum.lo, 1.0), std::min(sum.hi, 1.0)};
 }
 
-static Interval p_max(Interval m1, Interval m2, Interval t,
+static Interval p_max(const Depths &depths, Interval t,
                       const Settings &settings)
 {
-    Interval above = rounded(t - m1, UNIT_ROUNDOFF);
+    Interval above = rounded(t - depths.mean, UNIT_ROUNDOFF);
     if (above.hi <= 0)
         return 1;
-    Interval v = variance_of(m1, m2, settings);
+    Interval v = biased(depths.variance, settings);
     Interval d2 = square(maximum(above, 0));
     // p grows with v and falls with d, so its ends are at the ends. Where
     // t <= m1 is possible, d2.lo is 0 and p.hi is 1, as the formula wants.
@@ -53,11 +113,12 @@ static double smooth_step(double s)
     return s * s * (3 - 2 * s);
 }
 
-Interval chebyshev(Interval m1, Interval m2, Interval t,
-                   const Settings &settings)
+Interval chebyshev(const Moments &moments, Interval t, double noise,
+                   const Formula &formula)
 {
+    const Settings &settings = formula.settings;
     double a = settings.bleed_reduction;
-    Interval p = p_max(m1, m2, t, settings);
+    Interval p = p_max(guarded(moments, noise, formula), t, settings);
     if (a == 0 && !settings.smooth)
         return clamp(p, 0, 1);
     Interval above = widened(p - a, 2 * UNIT_ROUNDOFF); // p <= 1: absolute
@@ -70,15 +131,18 @@ Interval chebyshev(Interval m1, Interval m2, Interval t,
         0, 1);
 }
 
-double chebyshev_exact(double m1, double m2, double t, const Settings &settings)
+double chebyshev_exact(double m1, double variance, double t, double noise,
+                       const Formula &formula)
 {
-    if (t <= m1)
+    const Settings &settings = formula.settings;
+    Moments moments{m1, settings.central ? variance : variance + m1 * m1};
+    Depths depths = guarded(moments, noise, formula);
+    double mean = (depths.mean.lo + depths.mean.hi) / 2;
+    double v = (depths.variance.lo + depths.variance.hi) / 2;
+    if (t <= mean)
         return 1;
-    double floor = settings.auto_variance ? 4 * format_roundoff(settings) * m2
-                                          : settings.min_variance;
-    double variance = std::max(m2 - m1 * m1, floor);
-    variance = std::min(variance + settings.variance_bias, 1.0);
-    double p = variance / (variance + (t - m1) * (t - m1));
+    v = std::min(v + settings.variance_bias, 1.0);
+    double p = v / (v + (t - mean) * (t - mean));
     double a = settings.bleed_reduction;
     double s = std::clamp((p - a) / (1 - a), 0.0, 1.0);
     return settings.smooth ? smooth_step(s) : s;
@@ -129,10 +193,10 @@ double resolve_absolute(const Settings &settings)
 
 double store_share(const Settings &settings)
 {
-    return settings.half ? 0x1p-10 : 0;
+    return settings.half ? (settings.central ? 0x1p-11 : 0x1p-10) : 0;
 }
 
 double store_absolute(const Settings &settings)
 {
-    return settings.half ? 0x1p-24 : 0;
+    return settings.half ? (settings.central ? 0x1p-25 : 0x1p-24) : 0;
 }

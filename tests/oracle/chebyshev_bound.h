@@ -3,17 +3,40 @@
 #define ORACLE_CHEBYSHEV_BOUND_H
 
 #include "tests/oracle/dump.h"
+#include "tests/oracle/guard.h"
 #include "tests/oracle/interval.h"
 
-// Every visibility that 32-bit arithmetic may make of moments m1 and m2 and a
-// receiver at depth t: Cantelli's p_max with the minimum variance and the
-// light-bleeding reduction of the settings.
-Interval chebyshev(Interval m1, Interval m2, Interval t,
-                   const Settings &settings);
+// What a lookup finds: M1 and M2, or mean and variance.
+struct Moments {
+    Interval m1, second;
+};
 
-// The same without rounding; minimum variance included.
-double chebyshev_exact(double m1, double m2, double t,
-                       const Settings &settings);
+// The settings of a run, and what follows from them.
+struct Formula {
+    Settings settings;
+    Guard guard;
+
+    explicit Formula(const Run &run)
+        : settings(run.settings), guard(guard_of(run))
+    {
+    }
+};
+
+// The deviation that --min-variance auto gives a receiver's own depth where
+// moments are central: 64 units of the part of t that its distance from the
+// camera makes.
+double depth_noise(const MapView &view, const glm::dvec3 &position);
+
+// Every visibility that 32-bit arithmetic may make of moments and a receiver at
+// depth t with this noise: Cantelli's p_max with the minimum variance and the
+// light-bleeding reduction of the settings.
+Interval chebyshev(const Moments &moments, Interval t, double noise,
+                   const Formula &formula);
+
+// The same without rounding, of a mean and a variance; the minimum variance
+// included.
+double chebyshev_exact(double m1, double variance, double t, double noise,
+                       const Formula &formula);
 
 // The relative error of the blurred moments against the exact weighted sum of
 // the map's: f^2 + 1 operations for the mean of f x f texels, n + 1 for a row
@@ -32,7 +55,8 @@ double table_absolute(const Settings &settings);
 
 // What storing a moment may change. A 32-bit float: nothing, for it was one.
 // A 16-bit float: a whole unit of 2^-10, since some drivers truncate, and
-// 2^-24 absolute among the denormals.
+// 2^-24 absolute among the denormals; half of both of central moments, which
+// the shader rounds.
 double store_share(const Settings &settings);
 double store_absolute(const Settings &settings);
 

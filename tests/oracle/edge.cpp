@@ -16,9 +16,12 @@ namespace
 struct EdgeMap {
     MapView view;
     Settings settings;
+    Formula formula;
+    Guard central_errors;
     int step;
     double floor, occluder; // depths t
     double depth_error;     // of a 32-bit depth, rasterised or of a pixel
+    double texel_error;     // of the depths that the map has, measured
     // Per texel: the share of its samples that see the floor; UNKNOWN where one
     // may see either, or something else.
     std::vector<double> sees_floor;
@@ -139,20 +142,37 @@ static Prediction predict_taps(const EdgeMap &map, const Receiver &r,
     return prediction;
 }
 
+// Of central moments: the filter's and the lookup's errors as in guard.h, and
+// of each texel's depth by e.
+static Moments central_moments(const EdgeMap &map, double m1, double m2,
+                               double deviation)
+{
+    const Guard &g = map.central_errors;
+    double e = map.texel_error;
+    double off = e + g.spread * deviation + g.mean_fixed;
+    Interval mean = widened(m1, off + g.mean * rounded_part(m1));
+    off += g.variance * rounded_part(std::sqrt(m2));
+    Interval root = maximum(widened(deviation, off), 0);
+    return {mean, square(root)};
+}
+
 // The interval of p when a share q of the filter sees the floor. Exact
-// arithmetic gives p = q for a receiver on the floor. What is rounded:
+// arithmetic gives p = q for a receiver at the floor's depth. What is rounded:
 // - M1 and M2 by a texel's mean, the blur and the lookup, and M2's square;
 // - each texel's depth by at most e: that moves M1 by e, as if t had moved,
 //   and the variance by at most 2 e sd + e^2;
-// - t itself by e.
+// - t itself, which the receiver file has.
 // The variance is a difference of numbers of size M2, so all this is amplified
 // by its condition number M2 / variance.
-static Interval p_interval(const EdgeMap &map, double q, double own_depth)
+static Interval p_interval(const EdgeMap &map, double q, double t, double noise)
 {
-    double near = map.occluder, far = map.floor, e = map.depth_error;
+    double near = map.occluder, far = map.floor, e = map.texel_error;
     double m1 = q * far + (1 - q) * near;
     double m2 = q * far * far + (1 - q) * near * near;
     double deviation = std::sqrt(q * (1 - q)) * (far - near);
+    if (map.settings.central)
+        return chebyshev(central_moments(map, m1, m2, deviation), t, noise,
+                         map.formula);
     // The map's own store comes before the filter's.
     double blur = blur_share(map.settings) + 1.01 * store_share(map.settings) +
                   1.01 * resolve_share(map.settings);
@@ -163,7 +183,7 @@ static Interval p_interval(const EdgeMap &map, double q, double own_depth)
     Interval wide_m2 =
         widened(m2, (blur + UNIT_ROUNDOFF) * m2 + lookup * far * far +
                         2 * e * deviation + e * e + tiny);
-    return chebyshev(wide_m1, wide_m2, widened(own_depth, 2 * e), map.settings);
+    return chebyshev({wide_m1, wide_m2}, t, noise, map.formula);
 }
 
 static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
@@ -180,7 +200,7 @@ static Prediction predict_moments(const EdgeMap &map, const Receiver &r,
                     map, lookup_footprint(r.u, dx, view.width, map.settings),
                     lookup_footprint(r.v, dy, view.height, map.settings), q))
                 return prediction;
-            Interval p = p_interval(map, q, own_depth);
+            Interval p = p_interval(map, q, r.t, depth_noise(view, r.position));
             least = std::min(least, p.lo);
             most = std::max(most, p.hi);
         }
@@ -214,6 +234,48 @@ static double floor_share(const MapRectangle &floor,
     return count / double(samples.size());
 }
 
+// What auto adds is what can be lost, whether it is added or not.
+static Guard errors_of_all(const Run &run)
+{
+    Run guarded = run;
+    guarded.settings.auto_variance = true;
+    return guard_of(guarded);
+}
+
+// How far the map's depths are off: 16-bit floats round them too.
+static double texel_error(const Run &run, const EdgeMap &map)
+{
+    Picture texels = load_map(run, 0);
+    double worst = 0;
+    for (int y = 0; y < texels.height; y++)
+        for (int x = 0; x < texels.width; x++) {
+            double q = map.sees(x, y);
+            double depth = q * map.floor + (1 - q) * map.occluder;
+            if (q != EdgeMap::UNKNOWN)
+                worst = std::max(worst, std::abs(texels.at(x, y, 0) - depth));
+        }
+    return worst;
+}
+
+// As few units as a depth can be off, and the receivers' own.
+static void check_depths(const Run &run, const EdgeMap &map, Report &report)
+{
+    Receivers receivers(run);
+    double stored = map.depth_error + store_share(map.settings);
+    double worst = 0;
+    for (int y = 0; y < run.height; y++)
+        for (int x = 0; x < run.width; x++) {
+            Receiver r = receivers.at(x, y);
+            if (r.shown && inside_map(r))
+                worst = std::max(worst, std::min(std::abs(r.t - map.floor),
+                                                 std::abs(r.t - map.occluder)));
+        }
+    report.line(map.texel_error <= stored && worst <= map.depth_error,
+                "edge: depths are one of two",
+                "off by up to %.3g in the map, %.3g in the picture",
+                map.texel_error, worst);
+}
+
 static EdgeMap edge_map(const Run &run, const SceneTable &table)
 {
     if (run.step > 2 && run.step != 5)
@@ -222,9 +284,12 @@ static EdgeMap edge_map(const Run &run, const SceneTable &table)
     MapRectangle occluder(table, run, "occluder");
     EdgeMap map{run.views.at(0),
                 run.settings,
+                Formula(run),
+                errors_of_all(run),
                 run.step,
                 floor.depth(),
                 occluder.depth(),
+                0,
                 0,
                 {}};
     for (int y = 0; y < map.view.height; y++)
@@ -238,7 +303,10 @@ static EdgeMap edge_map(const Run &run, const SceneTable &table)
     for (int i = 0; i < 3; i++)
         size += std::abs(map.view.rows[2][i]) * extent;
     map.depth_error = rounding_share(16) * size;
-    if (map.floor - map.occluder < 4 * map.depth_error)
+    if (run.step == 5)
+        map.texel_error = texel_error(run, map);
+    double rounding = run.step == 5 ? map.texel_error : map.depth_error;
+    if (map.floor - map.occluder < 4 * rounding)
         throw BadInput("edge: the gap is lost in the rounding of depths");
     return map;
 }
@@ -290,6 +358,8 @@ static void check_edge_texels(const Run &run, const EdgeMap &map,
 void check_edge(const Run &run, const SceneTable &table, Report &report)
 {
     EdgeMap map = edge_map(run, table);
+    if (run.step == 5)
+        check_depths(run, map, report);
     Receivers receivers(run);
     Tally on_floor, on_occluder;
     for (int y = 0; y < run.height; y++)

@@ -21,7 +21,8 @@ using Maps = std::vector<std::vector<Picture>>; // by layer, their samples
 // What the whole filter sees at one position, from the samples as stored.
 struct Seen {
     double lit = 0;        // weight of those at or behind the receiver
-    double m1 = 0, m2 = 0; // exact
+    double m1 = 0, m2 = 0; // exact, of the samples' own depths
+    double variance = 0;   // and of those about m1
     double farthest = 0;   // the largest depth with a weight
 };
 
@@ -57,16 +58,58 @@ static Seen seen(const std::vector<Picture> &samples, const Footprint &across,
                 sum.farthest = std::max(sum.farthest, weight > 0 ? x : 0);
             }
         }
+    for (size_t j = 0; j < up.weights.size(); j++)
+        for (size_t i = 0; i < across.weights.size(); i++) {
+            double weight = share * across.weights[i] * up.weights[j];
+            for (const Picture &map : samples) {
+                double x = texel(map, across.first + int(i), up.first + int(j));
+                sum.variance += weight * (x - sum.m1) * (x - sum.m1);
+            }
+        }
     return sum;
 }
 
 // How far rounding can pull p below what exact arithmetic gives, and exact
-// arithmetic gives at least `lit` (Cantelli). Rounding: M2 of each sample,
-// their mean by resolve_share, the downsampling and the blur by blur_share, the
-// lookup by 6 units of the largest texel it blends, then the formula's own, in
-// chebyshev().
-static double bound(const Seen &s, double t, const Settings &settings)
+// arithmetic gives at least `lit` (Cantelli). With auto: not at all, but for
+// the formula's last operations (step5_chebyshev/guard.h).
+static double bound_of_auto(const Formula &formula)
 {
+    return formula.guard.promises ? rounding_share(12) + OWN_ROUNDING
+                                  : INFINITY;
+}
+
+// Of central moments: mean and deviation are off by no more than this, and then
+// what chebyshev() rounds.
+static double bound_of_central(const Run &run, const Seen &s, double t,
+                               const Formula &formula)
+{
+    Run guarded = run;
+    guarded.settings.auto_variance = true;
+    Guard e = guard_of(guarded);
+    double deviation = std::sqrt(s.variance);
+    Interval mean = widened(s.m1, e.mean * rounded_part(s.m1) +
+                                      e.spread * deviation + e.mean_fixed);
+    Interval wide =
+        widened(deviation, e.spread * deviation +
+                               e.variance * rounded_part(std::sqrt(s.m2)) +
+                               e.mean_fixed);
+    Interval variance = square(maximum(wide, 0));
+    double exact = chebyshev_exact(s.m1, s.variance, t, 0, formula);
+    Interval p = chebyshev({mean, variance}, t, 0, formula);
+    return exact - std::min(exact, p.lo) + OWN_ROUNDING;
+}
+
+// Of raw ones: M2 of each sample, their mean by resolve_share, the downsampling
+// and the blur by blur_share, the lookup by 6 units of the largest texel it
+// blends, then the formula's own, in chebyshev().
+static double bound(const Run &run, const Seen &s, double t,
+                    const Formula &formula)
+{
+    const Settings &settings = run.settings;
+    if (settings.auto_variance)
+        return bound_of_auto(formula);
+    if (settings.central)
+        return bound_of_central(run, s, t, formula);
     double blur = blur_share(settings) + 1.01 * resolve_share(settings);
     double lookup = rounding_share(LOOKUP_ROUNDINGS);
     double far2 = s.farthest * s.farthest;
@@ -76,8 +119,8 @@ static double bound(const Seen &s, double t, const Settings &settings)
     // The stored M1 is rounded too, and M2 is the square of what it was.
     double m2_share = blur + UNIT_ROUNDOFF + 3 * store_share(settings);
     Interval m2 = widened(s.m2, m2_share * s.m2 + lookup * far2 + 3 * tiny);
-    double exact = chebyshev_exact(s.m1, s.m2, t, settings);
-    return exact - std::min(exact, chebyshev(m1, m2, t, settings).lo) +
+    double exact = chebyshev_exact(s.m1, s.variance, t, 0, formula);
+    return exact - std::min(exact, chebyshev({m1, m2}, t, 0, formula).lo) +
            OWN_ROUNDING;
 }
 
@@ -86,7 +129,8 @@ struct Least {
     double bounded = 1, lit = 1, widest = 0;
 };
 
-static Least least_of(const Run &run, const Receiver &r, const Maps &maps)
+static Least least_of(const Run &run, const Receiver &r, const Maps &maps,
+                      const Formula &formula)
 {
     if (size_t(r.layer) >= maps.size() || !inside_map(r))
         return {};
@@ -101,7 +145,7 @@ static Least least_of(const Run &run, const Receiver &r, const Maps &maps)
         for (double dx : shifts.x) {
             Footprint across = lookup_footprint(r.u, dx, view.width, settings);
             Seen s = seen(map, across, up, r.t);
-            double rounding = bound(s, r.t, settings);
+            double rounding = bound(run, s, r.t, formula);
             least = std::min(least, s.lit - rounding);
             lit = std::min(lit, s.lit);
             widest = std::max(widest, rounding);
@@ -111,11 +155,11 @@ static Least least_of(const Run &run, const Receiver &r, const Maps &maps)
 }
 
 static void test_pixel(const Run &run, const Receiver &r, const Maps &maps,
-                       Tally &tally)
+                       const Formula &formula, Tally &tally)
 {
-    Least l = least_of(run, r, maps);
+    Least l = least_of(run, r, maps, formula);
     if (r.share > 0) { // two splits are mixed
-        Least next = least_of(run, r.in_next(), maps);
+        Least next = least_of(run, r.in_next(), maps, formula);
         double own = 1 - r.share, rounding = rounding_share(4);
         l = {own * l.bounded + r.share * next.bounded - rounding,
              own * l.lit + r.share * next.lit, std::max(l.widest, next.widest)};
@@ -140,6 +184,7 @@ void check_lower(const Run &run, Report &report)
     Maps maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)
         maps.push_back(load_samples(run, int(layer)));
+    Formula formula(run);
     Tally tally;
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
@@ -147,7 +192,7 @@ void check_lower(const Run &run, Report &report)
             if (!r.shown || !inside_map(r))
                 continue;
             if (facing(r, run.views[size_t(r.layer)]) == Facing::TOWARDS)
-                test_pixel(run, r, maps, tally);
+                test_pixel(run, r, maps, formula, tally);
         }
     report.line(tally.violated == 0 && tally.tested > 0,
                 "p_max is not below the lit share",

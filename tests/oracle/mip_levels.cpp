@@ -97,8 +97,77 @@ static Interval looked_up(const Picture &map, double u, double v,
     return widened(value, rounding_share(6)); // moments are at most 1
 }
 
-Interval MipLookup::at_level(const Receiver &r, double u, double v,
-                             double tap_error, double level, int channel) const
+namespace
+{
+
+// One channel of raw moments: every average is linear.
+struct ChannelLookup {
+    using Value = Interval;
+    int channel;
+
+    Value at(const Picture &map, double u, double v, double tap_error) const
+    {
+        return looked_up(map, u, v, tap_error, channel);
+    }
+    Value blended(Value fine, Value coarse, double part) const
+    {
+        return (1 - part) * fine + part * coarse;
+    }
+    Value averaged(const std::vector<Value> &taps) const
+    {
+        Value sum = 0;
+        for (Value tap : taps)
+            sum = sum + tap;
+        double n = double(taps.size());
+        return widened(sum / n, rounding_share(int(taps.size()) + 6));
+    }
+};
+
+struct SpreadLookup {
+    using Value = Spread;
+
+    Value at(const Picture &map, double u, double v, double tap_error) const
+    {
+        double ex = position_error(u, map.width) + tap_error * map.width;
+        double ey = position_error(v, map.height) + tap_error * map.height;
+        double x = u * map.width - 0.5, y = v * map.height - 0.5;
+        auto shifts = [](double place, double error) {
+            std::vector<double> all = places(place, error);
+            for (double &p : all)
+                p -= place;
+            return all;
+        };
+        return looked_up_spread(map, x, y, shifts(x, ex), shifts(y, ey));
+    }
+    Value blended(const Value &fine, const Value &coarse, double part) const
+    {
+        return rounded_once(merged({{1 - part, fine}, {part, coarse}}));
+    }
+    // Of n taps about the first, see step5_chebyshev/guard.h.
+    Value averaged(const std::vector<Value> &taps) const
+    {
+        double n = double(taps.size());
+        std::vector<std::pair<double, Spread>> parts;
+        for (const Value &tap : taps)
+            parts.push_back({1 / n, tap});
+        Value all = merged(parts);
+        if (taps.size() == 1)
+            return all;
+        double deviation = std::sqrt(std::max(all.variance.hi, 0.0));
+        all.mean =
+            widened(all.mean, UNIT_ROUNDOFF / 2 + (n + 4) * UNIT_ROUNDOFF *
+                                                      std::sqrt(n) * deviation);
+        all.variance = rounded(all.variance, (3 * n + 15) * UNIT_ROUNDOFF * n);
+        return all;
+    }
+};
+
+} // namespace
+
+template <class Lookup>
+typename Lookup::Value
+MipLookup::at_level(const Lookup &lookup, const Receiver &r, double u, double v,
+                    double tap_error, double level) const
 {
     const std::vector<Picture> &levels = levels_[size_t(r.layer)];
     double last = double(levels.size() - 1);
@@ -106,14 +175,16 @@ Interval MipLookup::at_level(const Receiver &r, double u, double v,
     size_t fine = size_t(level);
     size_t coarse = std::min(fine + 1, levels.size() - 1);
     double part = level - double(fine);
-    return (1 - part) * looked_up(levels[fine], u, v, tap_error, channel) +
-           part * looked_up(levels[coarse], u, v, tap_error, channel);
+    return lookup.blended(lookup.at(levels[fine], u, v, tap_error),
+                          lookup.at(levels[coarse], u, v, tap_error), part);
 }
 
 // The mean of the taps, over every level that rounding can make of one.
-Interval MipLookup::along(const Receiver &r, const double direction[2],
-                          double longer, double shorter, int taps,
-                          int channel) const
+template <class Lookup>
+typename Lookup::Value MipLookup::along(const Lookup &lookup, const Receiver &r,
+                                        const double direction[2],
+                                        double longer, double shorter,
+                                        int taps) const
 {
     const Picture &finest = levels_[size_t(r.layer)][0];
     double tap_length = longer / taps;
@@ -121,7 +192,7 @@ Interval MipLookup::along(const Receiver &r, const double direction[2],
     double error =
         taps == 1 ? 0
                   : AXIS_ERROR * longer / std::min(finest.width, finest.height);
-    Interval all(1e9, -1e9);
+    std::vector<typename Lookup::Value> all;
     std::vector<double> levels = places(level, LEVEL_ERROR);
     if (hardware_)
         levels = {level - 1, std::floor(level), level, std::ceil(level),
@@ -131,21 +202,26 @@ Interval MipLookup::along(const Receiver &r, const double direction[2],
         double coarse = std::ceil(std::clamp(l, 0.0, last));
         double room = std::max(free_ - reach(coarse), 0.0);
         double outermost = std::min((taps - 1) * tap_length / 2, room);
-        Interval sum = 0;
+        std::vector<typename Lookup::Value> found;
         for (int i = 0; i < taps; i++) {
             double steps =
                 taps == 1 ? 0 : (2.0 * i / (taps - 1) - 1) * outermost;
-            sum = sum + at_level(r, r.u + steps * direction[0] / finest.width,
-                                 r.v + steps * direction[1] / finest.height,
-                                 error, l, channel);
+            found.push_back(
+                at_level(lookup, r, r.u + steps * direction[0] / finest.width,
+                         r.v + steps * direction[1] / finest.height, error, l));
         }
-        all = hull(all, sum / double(taps));
+        all.push_back(lookup.averaged(found));
     }
-    return widened(all, rounding_share(taps + 6));
+    typename Lookup::Value value = all[0];
+    for (const auto &other : all)
+        value = hull(value, other);
+    return value;
 }
 
 // Places of the steps in texels; the ellipse's angle from its quadratic form.
-Interval MipLookup::moment(const Receiver &r, int x, int y, int channel) const
+template <class Lookup>
+typename Lookup::Value
+MipLookup::at_pixel(const Lookup &lookup, const Receiver &r, int x, int y) const
 {
     const Picture &finest = levels_[size_t(r.layer)][0];
     double wide = r.footprint_scale * finest.width;
@@ -168,9 +244,18 @@ Interval MipLookup::moment(const Receiver &r, int x, int y, int channel) const
         return int(std::clamp(ratio * share, 1.0, most) + 0.5);
     };
     int few = taps(1 - RATIO_ERROR), many = taps(1 + RATIO_ERROR);
-    Interval value = along(r, direction, longer, shorter, few, channel);
+    auto value = along(lookup, r, direction, longer, shorter, few);
     if (many != few)
-        value =
-            hull(value, along(r, direction, longer, shorter, many, channel));
+        value = hull(value, along(lookup, r, direction, longer, shorter, many));
     return value;
+}
+
+Interval MipLookup::moment(const Receiver &r, int x, int y, int channel) const
+{
+    return at_pixel(ChannelLookup{channel}, r, x, y);
+}
+
+Spread MipLookup::spread(const Receiver &r, int x, int y) const
+{
+    return at_pixel(SpreadLookup{}, r, x, y);
 }

@@ -7,6 +7,7 @@
 #include "tests/oracle/dump.h"
 #include "tests/oracle/interval.h"
 #include "tests/oracle/report.h"
+#include "tests/oracle/spread.h"
 
 // blurred.L.exr and blurred.L.mK.exr, K = 1, 2, ...: halved as long as both
 // sides are even.
@@ -22,11 +23,23 @@ class MipLookup
     // or coarser gives, for that is how far its choices may be off.
     Interval moment(const Receiver &r, int x, int y, int channel) const;
 
+    // The same of central moments, both at once.
+    Spread spread(const Receiver &r, int x, int y) const;
+
   private:
-    Interval at_level(const Receiver &r, double u, double v, double tap_error,
-                      double level, int channel) const;
-    Interval along(const Receiver &r, const double direction[2], double longer,
-                   double shorter, int taps, int channel) const;
+    // By what is looked up: a Lookup knows how to look one level up, to blend
+    // two, and to average.
+    template <class Lookup>
+    typename Lookup::Value at_level(const Lookup &lookup, const Receiver &r,
+                                    double u, double v, double tap_error,
+                                    double level) const;
+    template <class Lookup>
+    typename Lookup::Value along(const Lookup &lookup, const Receiver &r,
+                                 const double direction[2], double longer,
+                                 double shorter, int taps) const;
+    template <class Lookup>
+    typename Lookup::Value at_pixel(const Lookup &lookup, const Receiver &r,
+                                    int x, int y) const;
 
     // Texels of the finest level that a lookup at a receiver may read to each
     // side, and how many level k reads.

@@ -3,12 +3,14 @@
 
 #include "tests/oracle/chebyshev_bound.h" // blur_share
 #include "tests/oracle/footprint.h"       // blur_weights
+#include "tests/oracle/guard.h"           // central_errors
 #include "tests/oracle/stage.h"
 
 namespace
 {
 
-// One moment of a map in double; outside it is 1, the far depth.
+// One moment of a map in double; outside it is 1, the far depth. Of central
+// moments too: their M2 is V + M1^2.
 struct Channel {
     int width, height;
     std::vector<double> values;
@@ -29,13 +31,23 @@ struct Channel {
 
 } // namespace
 
-static Channel downsampled(const Picture &map, int channel, int factor)
+static double moment_of(const Picture &map, int x, int y, int channel,
+                        bool central)
 {
+    double mean = map.at(x, y, 0), value = map.at(x, y, channel);
+    return central && channel == 1 ? value + mean * mean : value;
+}
+
+static Channel downsampled(const Picture &map, int channel,
+                           const Settings &settings)
+{
+    int factor = settings.downsample;
     Channel small(map.width / factor, map.height / factor);
     for (int y = 0; y < small.height * factor; y++)
         for (int x = 0; x < small.width * factor; x++)
             small.at(x / factor, y / factor) +=
-                double(map.at(x, y, channel)) / (factor * factor);
+                moment_of(map, x, y, channel, settings.central) /
+                (factor * factor);
     return small;
 }
 
@@ -74,6 +86,46 @@ static void compare(const Picture &blurred, int channel, const Channel &truth,
     report.line(wrong == 0, "stage blur: M" + std::to_string(channel + 1),
                 "%zu of %zu texels outside, worst %.3g, bound %.3g relative",
                 wrong, truth.values.size(), worst, share);
+}
+
+// --moments central: the mean and the standard deviation, see guard.h.
+static void compare_central(const Picture &blurred, const Channel &m1,
+                            const Channel &m2, const Settings &settings,
+                            Report &report)
+{
+    CentralErrors e = central_errors(filter_passes(settings), settings);
+    size_t wrong_mean = 0, wrong_deviation = 0;
+    double worst_mean = 0, worst_deviation = 0;
+    for (int y = 0; y < m1.height; y++)
+        for (int x = 0; x < m1.width; x++) {
+            double mean = m1.at(x, y), square = m2.at(x, y);
+            // The oracle's own difference, in double.
+            double deviation = std::sqrt(std::max(square - mean * mean, 0.0));
+            double own = std::sqrt(1e-15), tiny = std::sqrt(e.tiny);
+            double mean_error = std::abs(blurred.at(x, y, 0) - mean);
+            double error =
+                std::abs(std::sqrt(double(blurred.at(x, y, 1))) - deviation);
+            wrong_mean += mean_error <= e.mean * rounded_part(mean) +
+                                            e.spread * deviation + e.tiny
+                              ? 0
+                              : 1;
+            wrong_deviation +=
+                error <= e.spread * deviation +
+                             e.moved * rounded_part(std::sqrt(square)) + own +
+                             tiny
+                    ? 0
+                    : 1;
+            worst_mean = std::max(worst_mean, mean_error);
+            worst_deviation = std::max(worst_deviation, error);
+        }
+    report.line(wrong_mean == 0, "stage blur: mean",
+                "%zu of %zu texels outside, worst %.3g", wrong_mean,
+                m1.values.size(), worst_mean);
+    report.line(wrong_deviation == 0, "stage blur: deviation",
+                "%zu of %zu texels outside, worst %.3g, bound %.3g of it and "
+                "%.3g of M",
+                wrong_deviation, m1.values.size(), worst_deviation, e.spread,
+                e.moved);
 }
 
 // The weight of a kernel around texel i that stays inside an axis of n texels.
@@ -122,11 +174,17 @@ void check_blur(const Run &run, int layer, Report &report)
     std::vector<double> weights = blur_weights(settings);
     if (!settings.sat) // a table's box is never stored
         check_stored(blurred, settings, "blurred", report);
+    std::vector<Channel> truths;
     for (int channel = 0; channel < 2; channel++) {
-        Channel small = downsampled(moments, channel, settings.downsample);
+        Channel small = downsampled(moments, channel, settings);
         Channel across = blurred_along(small, weights, 1, 0);
-        Channel truth = blurred_along(across, weights, 0, 1);
-        compare(blurred, channel, truth, settings, report);
-        compare_mean(blurred, channel, small, settings, report);
+        truths.push_back(blurred_along(across, weights, 0, 1));
+        if (!settings.central)
+            compare(blurred, channel, truths[size_t(channel)], settings,
+                    report);
+        if (!settings.central || channel == 0)
+            compare_mean(blurred, channel, small, settings, report);
     }
+    if (settings.central)
+        compare_central(blurred, truths[0], truths[1], settings, report);
 }

@@ -2,6 +2,7 @@
 #include <cmath>     // abs
 
 #include "tests/oracle/chebyshev_bound.h" // store_share
+#include "tests/oracle/guard.h"           // central_errors
 #include "tests/oracle/mip_levels.h"
 #include "tests/oracle/rounding.h"
 
@@ -59,13 +60,54 @@ static void check_level(const Picture &fine, const Picture &coarse,
                 error, share + tiny);
 }
 
+// --moments central: one merge of 16 taps, see guard.h.
+static void check_central_level(const Picture &fine, const Picture &coarse,
+                                size_t level, const Settings &settings,
+                                Report &report)
+{
+    CentralErrors e =
+        central_errors({{16, 9.0 / 64, 0, true, false}}, settings);
+    static const int weights[] = {1, 3, 3, 1};
+    size_t wrong = 0;
+    double worst = 0;
+    for (int y = 0; y < coarse.height; y++)
+        for (int x = 0; x < coarse.width; x++) {
+            std::vector<std::pair<double, Spread>> parts;
+            for (int j = 0; j < 4; j++)
+                for (int i = 0; i < 4; i++)
+                    parts.push_back(
+                        {weights[i] * weights[j] / 64.0,
+                         spread_at(fine, 2 * x - 1 + i, 2 * y - 1 + j)});
+            Spread all = merged(parts);
+            double mean = all.mean.lo, variance = all.variance.lo;
+            double deviation = std::sqrt(variance);
+            double off = std::abs(double(coarse.at(x, y, 0)) - mean);
+            double error = std::abs(double(coarse.at(x, y, 1)) - variance);
+            bool good = off <= e.mean * rounded_part(mean) +
+                                   e.spread * deviation + e.tiny &&
+                        error <= 2 * e.spread * variance + e.tiny + 1e-16;
+            wrong += good ? 0 : 1;
+            worst = std::max({worst, off, error});
+        }
+    report.line(wrong == 0,
+                "stage mips: mean and variance of level " +
+                    std::to_string(level),
+                "%zu of %d texels outside, worst %.3g, bound %.3g relative",
+                wrong, coarse.width * coarse.height, worst, 2 * e.spread);
+}
+
 void check_mips(const Run &run, int layer, Report &report)
 {
     std::vector<Picture> levels = load_levels(run, layer);
-    for (size_t k = 1; k < levels.size(); k++)
+    for (size_t k = 1; k < levels.size(); k++) {
+        const Picture &fine = levels[k - 1], &coarse = levels[k];
+        if (run.settings.central) {
+            check_central_level(fine, coarse, k, run.settings, report);
+            continue;
+        }
         for (int channel = 0; channel < 2; channel++)
-            check_level(levels[k - 1], levels[k], k, channel, run.settings,
-                        report);
+            check_level(fine, coarse, k, channel, run.settings, report);
+    }
 }
 
 // The share of neighbours, in blocks of 2 x 2 pixels, whose u or v differs by

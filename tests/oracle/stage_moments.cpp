@@ -52,6 +52,30 @@ void check_stored(const Picture &map, const Settings &settings,
                 map.values.size(), full);
 }
 
+// --moments central: one depth does not vary. With --slope-term it does, by no
+// more than depths in [0, 1] can: E[x^2] is at most E[x].
+static void check_central(const Picture &moments, const Settings &settings,
+                          Report &report)
+{
+    size_t wrong = 0;
+    double worst = 0;
+    for (int y = 0; y < moments.height; y++)
+        for (int x = 0; x < moments.width; x++) {
+            double mean = moments.at(x, y, 0), variance = moments.at(x, y, 1);
+            double most = settings.slope_term ? mean - mean * mean : 0;
+            double share = store_share(settings) + rounding_share(2);
+            most += share + store_absolute(settings);
+            most = settings.slope_term ? most : 0;
+            wrong += variance >= 0 && variance <= most ? 0 : 1;
+            worst = std::max(worst, variance);
+        }
+    report.line(wrong == 0,
+                settings.slope_term
+                    ? "stage moments: the variance is one of depths in [0, 1]"
+                    : "stage moments: the variance is 0",
+                "not so in %zu texels, the largest is %.3g", wrong, worst);
+}
+
 // One depth per texel.
 static void check_depths(const Picture &moments, const Settings &settings,
                          Report &report)
@@ -82,5 +106,8 @@ void check_moments(const Run &run, int layer, Report &report)
 {
     check_stored(load_map(run, layer), run.settings, "moments", report);
     for (const Picture &sample : load_samples(run, layer))
-        check_depths(sample, run.settings, report);
+        if (run.settings.central)
+            check_central(sample, run.settings, report);
+        else
+            check_depths(sample, run.settings, report);
 }

@@ -9,6 +9,7 @@
 #include "tests/oracle/pcf_width.h"
 #include "tests/oracle/poisson_disc.h"
 #include "tests/oracle/rounding.h"
+#include "tests/oracle/spread.h"
 #include "tests/oracle/stage.h"
 
 // A pixel whose interval is wider than this proves nothing: untested.
@@ -173,11 +174,23 @@ struct Pixel {
     const MipLookup &mips;
     const BoxLookup &boxes;
     const PcfWidth &widths;
+    const Formula &formula;
 };
 
 } // namespace
 
-// M1 or M2 as the program may have looked it up.
+// Mean and variance as the program may have looked them up.
+static Spread central(const Run &run, const Receiver &r, const Pixel &pixel)
+{
+    if (run.settings.mips)
+        return pixel.mips.spread(r, pixel.x, pixel.y);
+    const Picture &map = pixel.maps[size_t(r.layer)];
+    Shifts shifts = lookup_shifts(r.u, r.v, map.width, map.height);
+    return looked_up_spread(map, r.u * map.width - 0.5, r.v * map.height - 0.5,
+                            shifts.x, shifts.y);
+}
+
+// M1 or M2 likewise.
 static Interval moment(const Run &run, const Receiver &r, const Pixel &pixel,
                        int channel)
 {
@@ -188,6 +201,14 @@ static Interval moment(const Run &run, const Receiver &r, const Pixel &pixel,
     Interval value = looked_up(pixel.maps[size_t(r.layer)], r, channel);
     // The dumped box and the one looked up each have the table's error.
     return widened(value, 2 * table_absolute(run.settings));
+}
+
+static Moments moments(const Run &run, const Receiver &r, const Pixel &pixel)
+{
+    if (!run.settings.central)
+        return {moment(run, r, pixel, 0), moment(run, r, pixel, 1)};
+    Spread spread = central(run, r, pixel);
+    return {spread.mean, spread.variance};
 }
 
 // Step 2, over the widths that the pixel can have chosen.
@@ -217,11 +238,11 @@ static Interval expected(const Run &run, const Receiver &r, const MapView &view,
     const Picture &map = pixel.maps[size_t(r.layer)];
     if (run.step <= 2)
         return pcf_anyhow(run, r, view, pixel);
-    Interval m1 = moment(run, r, pixel, 0);
+    Moments m = moments(run, r, pixel);
     if (run.step == 5)
-        return chebyshev(m1, moment(run, r, pixel, 1), r.t, settings);
+        return chebyshev(m, r.t, depth_noise(view, r.position), pixel.formula);
     Interval bias = total_bias(r, view, map.width, map.height, 1, settings);
-    return compared(r.t, bias, m1);
+    return compared(r.t, bias, m.m1);
 }
 
 // What the map does not hold is lit.
@@ -262,6 +283,7 @@ static void check_hardware(const Run &run, Report &report)
     MipLookup mips(run);
     BoxLookup boxes(run);
     PcfWidth widths(run);
+    Formula formula(run);
     size_t shown = 0, outside = 0, telling = 0, level_0 = 0;
     double worst = 0;
     for (int layer = 0; layer < int(run.views.size()); layer++)
@@ -269,7 +291,7 @@ static void check_hardware(const Run &run, Report &report)
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            Pixel pixel = {x, y, maps, mips, boxes, widths};
+            Pixel pixel = {x, y, maps, mips, boxes, widths, formula};
             Interval truth = expected_anywhere(run, r, pixel);
             Interval plain = expected_anywhere(finest, r, pixel);
             double distance = truth.distance(r.visibility);
@@ -301,11 +323,12 @@ void for_each_expected(const Run &run, const UseExpected &use)
     MipLookup mips(run);
     BoxLookup boxes(run);
     PcfWidth widths(run);
+    Formula formula(run);
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            use(r,
-                expected_anywhere(run, r, {x, y, maps, mips, boxes, widths}));
+            use(r, expected_anywhere(
+                       run, r, {x, y, maps, mips, boxes, widths, formula}));
         }
 }
 
