@@ -194,7 +194,7 @@ static Rule bound(const TruthScene &scene, const Settings &settings)
 std::vector<Truth> models_of(const TruthScene &scene)
 {
     const Run &run = scene.run;
-    if (run.step < 3 || run.settings.adaptive_box)
+    if (run.step < 3 || !run.settings.has_weights())
         return {};
     auto exact = maps_of(scene, [](const glm::dvec2 &m) { return m; });
     auto stored = maps_of(scene, store_of(run.settings));

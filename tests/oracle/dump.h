@@ -75,6 +75,12 @@ struct Settings {
     double variance_bias = 0;
     bool smooth = false; // the reduction's form
 
+    // Whether all pixels have the same filter, or step 2's table of widths.
+    // Where not, only the light's own truth is known.
+    bool has_weights() const
+    {
+        return !adaptive_box;
+    }
     bool reduces() const
     {
         return bleed_reduction != 0 || smooth;

@@ -156,8 +156,6 @@ static std::string in_words(const char *format, double a, double b)
     return text;
 }
 
-// A filter whose width each pixel chooses by its table has no weights here: of
-// it only the light's own truth is known.
 static std::vector<Wanted> truths_of(const TruthScene &scene,
                                      const ErrorOptions &options)
 {
@@ -168,7 +166,7 @@ static std::vector<Wanted> truths_of(const TruthScene &scene,
     if (run.step == 5 && !run.settings.reduces() && options.lower)
         truths.push_back(
             {"lower", "", [&scene] { return lower_truth(scene); }});
-    if (!run.settings.adaptive_box) {
+    if (run.settings.has_weights()) {
         truths.push_back({"pcf", "", [&scene] { return pcf_truth(scene); }});
         truths.push_back({"footprint", count, [&scene, rays] {
                               return footprint_truth(scene, rays);
@@ -201,6 +199,17 @@ static std::vector<Judge> judges_of(const TruthScene &scene,
     return judges;
 }
 
+// Of a technique that imitates a light with an area, the area's truth, if that
+// was asked for.
+static const Judge &light_of(const Run &run, const std::vector<Judge> &judges)
+{
+    const char *name = run.settings.has_weights() ? "hard" : "area";
+    for (const Judge &judge : judges)
+        if (judge.name == name)
+            return judge;
+    return judges.back();
+}
+
 // Light truth, footprint truth, same-weights PCF, the models of the technique,
 // the program: a comparison for each step from one to the next.
 static std::vector<Comparison> chain_of(const TruthScene &scene,
@@ -208,7 +217,7 @@ static std::vector<Comparison> chain_of(const TruthScene &scene,
                                         const std::vector<Judge> &judges)
 {
     const Run &run = scene.run;
-    std::vector<Judge> images = {judges.back()}; // area, or else hard
+    std::vector<Judge> images = {light_of(run, judges)};
     for (const char *name : {"footprint", "pcf"})
         for (const Judge &judge : judges)
             if (judge.name == name)
@@ -267,7 +276,7 @@ static void print_seams(const std::string &truth, const Comparison &comparison,
 // The truth that a technique is shown beside.
 static const Comparison &main_of(const std::vector<Comparison> &comparisons)
 {
-    for (const char *name : {"area", "footprint", "hard"})
+    for (const char *name : {"footprint", "area", "hard"})
         for (const Comparison &comparison : comparisons)
             if (comparison.name == name)
                 return comparison;

@@ -28,9 +28,9 @@ struct ErrorOptions {
 // of errors over 1/255, the mean that of the signed errors. Writes
 // truth.NAME.exr, error.NAME.exr and error.NAME.bin (bare floats), top row
 // first; the error is 0 where it is not counted. As pictures: truth.png,
-// result.png and difference.png (blue: too dark, red: too light) of the area
-// light's truth, else the footprint's, else the hard one; where a pixel is not
-// counted the truth's picture shows the program's value.
+// result.png and difference.png (blue: too dark, red: too light) of the
+// footprint's truth, else the area light's, else the hard one; where a pixel is
+// not counted the truth's picture shows the program's value.
 void print_errors(const Run &run, const ErrorOptions &options);
 
 #endif

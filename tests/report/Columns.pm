@@ -79,6 +79,10 @@ our @COLUMNS = (
         } qw(pcf footprint light)
     ),
     [
+        area_rmse => 'RMSE of the visibility against the visible share of an '
+          . 'area light, of the soft techniques and those beside them'
+    ],
+    [
             butteraugli => 'perceptual difference of the visibility, as a grey '
           . 'picture, to footprint truth (of a soft technique light truth): '
           . 'Butteraugli\'s 3-norm, 1 is just noticeable'

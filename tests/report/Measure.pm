@@ -323,7 +323,7 @@ sub finish {
     my @timed   = @{ delete $point->{timed} };
     if ($found) {
         my %truths = %{ $found->{truths} };
-        $truths{light} = $truths{area} // $truths{hard};
+        $truths{light} = $point->{soft} ? $truths{area} : $truths{hard};
         for my $truth ( keys %truths ) {
             my $columns = $truths{$truth};
             $point->{ $truth =~ s/\./_/r . "_$_" } = $columns->{$_}

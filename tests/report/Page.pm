@@ -156,12 +156,8 @@ sub image {
 sub card {
     my ($point) = @_;
     my $name    = escaped( $point->{label} );
-    my $truth   = $point->{light_size} ? 'light truth' : 'footprint truth';
-    my $rmse    = number(
-          $point->{light_size}
-        ? $point->{light_rmse}
-        : $point->{footprint_rmse} // $point->{light_rmse}
-    );
+    my $truth   = $point->{soft} ? 'area light' : 'footprint truth';
+    my $rmse    = number( $point->{footprint_rmse} // $point->{light_rmse} );
     return
         "<figure class=\"card\">\n<figcaption><b>$name</b> "
       . "<small>RMSE $rmse</small></figcaption>\n<div class=\"compare\">"

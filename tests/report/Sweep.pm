@@ -14,6 +14,9 @@ use Techniques qw(%MODES @SCENES $MAP @TECHNIQUES @EXCLUDED $NOT_MEASURED);
 
 our @EXPORT_OK = qw(mode sweep);
 
+# What the soft techniques are compared with, against the same area light.
+my @BESIDE_SOFT = ( 'hard', 'PCF 7', 'VSM 7' );
+
 sub mode {
     my ($name) = @_;
     my $mode = $MODES{$name}
@@ -77,10 +80,11 @@ sub chosen {
 }
 
 # {n} is the width in texels of the map, {r} the radius of that width, {d} the
-# radius of about the same width after downsampling by 2.
+# radius of about the same width after downsampling by 2, {l} the light's size.
 sub filled {
-    my ( $template, $width ) = @_;
+    my ( $template, $width, $scene ) = @_;
     my %value = (
+        l => $scene->{light_size} // 1,
         n => $width,
         r => ( $width - 1 ) / 2,
         d => ( $width - 3 ) / 4,
@@ -110,13 +114,19 @@ sub point {
         usual_map => $usual,
         rays      => $mode->{rays},
     );
-    $point{light_size} = $scene->{light_size} if $technique->{soft};
-    $point{options}    = [
-        '--scene', $scene->{option} // $scene->{name},
-        '--size',  $mode->{size}, '--map-size', $point{map},
-        filled( $technique->{options}, $width ),
+    $point{options} = [
+        '--scene',
+        $scene->{option} // $scene->{name},
+        '--size',
+        $mode->{size},
+        '--map-size',
+        $point{map},
+        filled( $technique->{options}, $width, $scene ),
     ];
-    $point{label}    = label( \%point );
+    $point{label}      = label( \%point );
+    $point{soft}       = $technique->{soft};
+    $point{light_size} = $scene->{light_size}
+      if $point{soft} || grep { $_ eq $point{label} } @BESIDE_SOFT;
     $point{pictured} = grep { $_ eq $point{label} } @{ $scene->{pictures} };
     return \%point;
 }
@@ -148,7 +158,7 @@ sub sweep {
         for my $technique (@TECHNIQUES) {
             my ( $name, $step, $options ) = @$technique{qw(name step options)};
             next unless chosen( $mode->{techniques}, $name );
-            my $reason = lacks( $step, filled( $options, 3 ) )
+            my $reason = lacks( $step, filled( $options, 3, $scene ) )
               || is_default( $step, $options );
             $reason ||= $technique->{why}
               unless chosen( $technique->{scenes}, $scene->{name} );

@@ -38,14 +38,15 @@ our %MODES = (
 our $MAP = 512;
 
 # option: the scene with keys. map: in place of $MAP, for every technique.
-# light_size: of the area light that the soft techniques imitate (the oracle's
-# light-size). pictures: the points that the page shows.
+# light_size: of the area light that the soft techniques imitate, world units;
+# of a directional light at a distance of 1. pictures: the points that the page
+# shows.
 my @SHOWN = ( 'hard', 'PCF 7', 'VSM 7', 'VSM 31' );
 our @SCENES = (
     {
         name       => 'teapot',
         light_size => 0.05,
-        pictures   => [ @SHOWN, 'VSM reduced 7', 'soft', 'hybrid' ],
+        pictures   => [ @SHOWN, 'VSM reduced 7', 'soft', 'soft hybrid' ],
     },
     { name => 'edge', light_size => 0.05, pictures => \@SHOWN },
     {
@@ -215,6 +216,16 @@ our @TECHNIQUES = map {
             [ 'raw fp16',     '--moments raw --format rg16f' ],
             [ 'central fp16', '--moments central --format rg16f' ],
         ) ),
+    map( { [
+                $_->[0],
+                'soft',
+                5,
+                "$TEST $_->[1] --light-size {l}",
+                [1],
+                [qw(teapot edge thin stage)],
+                'the width of a penumbra shows on the scenes measured'
+        ] }
+        ( [ 'soft', '--soft' ], [ 'soft hybrid', '--soft --hybrid' ], ) ),
     [
         'VSM multisampled',
         'VSM',

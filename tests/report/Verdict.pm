@@ -150,13 +150,28 @@ sub advice {
     return "Do not use VSM on $scene.";
 }
 
+# The techniques that imitate a light with an area, beside some that do not.
+sub soft {
+    my %point = map  { ( $_->{label} => $_ ) } @_;
+    my @soft  = grep { defined $point{$_}{area_rmse} } 'soft', 'soft hybrid';
+    return '' unless @soft;
+    my @other =
+      grep { defined $point{$_}{area_rmse} } 'hard', 'PCF 7', 'VSM 7';
+    return
+        'Against an area light of size '
+      . "$point{ $soft[0] }{light_size}, RMSE: "
+      . join( ', ',
+        map { sprintf '%s %.4f', $_, $point{$_}{area_rmse} } @soft, @other )
+      . '.';
+}
+
 # Sentences about a scene's points.
 sub verdict {
     my ( $scene, @points ) = @_;
     my @pairs = pairs(@points);
     return ('PCF and VSM were not both measured here.') unless @pairs;
     return grep { $_ ne '' } faster( $scene, @pairs ), wronger(@pairs),
-      advice( $scene, \@points, @pairs );
+      soft(@points), advice( $scene, \@points, @pairs );
 }
 
 1;

@@ -122,6 +122,7 @@ for my $look ( [ 1280, 900, 'light' ], [ 390, 844, 'dark' ] ) {
     my ( $width, $height, $scheme ) = @$look;
     $browser->resize( $width, $height );
     $browser->prefer($scheme);
+    $browser->open_file("$folder/index.html");
     my ( $text, $ground ) = @{ $browser->js($GREYS) };
     cmp_ok( $scheme eq 'dark' ? $text - $ground : $ground - $text,
         '>', 400, "$scheme: text and ground are far apart" );
