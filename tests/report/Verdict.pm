@@ -59,26 +59,26 @@ sub factor {
 }
 
 sub faster {
-    my ( $scene, @pairs ) = @_;
+    my @pairs    = @_;
     my $crossing = crossing(@pairs);
     my @named    = grep { $_->{width} == 15 || $_->{width} == 31 } @pairs;
     @named = ( $pairs[-1] ) unless @named;
-    my $times = sub {
-        join ' and ',
-          map { factor( $_[0]->($_) ) . " times at $_->{width}" } @named;
-    };
-    if ( !defined $crossing ) {
-        return
-          "PCF is faster than VSM at every width measured, by "
-          . $times->( sub { 1 / $_[0]{factor} } ) . '.';
-    }
-    my $by = $times->( sub { $_[0]{factor} } );
-    if ( $crossing == 0 ) {
-        return "VSM is faster than PCF from width $pairs[0]{width} on, the "
-          . "least measured: by $by.";
-    }
-    my $width = next_width($crossing);
-    return "PCF is faster below width $width; from there on VSM is, by $by.";
+    my $numbers = join ', ', map {
+        my ( $who, $by ) =
+          $_->{factor} >= 1
+          ? ( 'VSM', $_->{factor} )
+          : ( 'PCF', 1 / $_->{factor} );
+        "at $_->{width} $who is " . factor($by) . ' times as fast'
+    } @named;
+    my $who =
+      !defined $crossing ? 'PCF is faster than VSM at every width measured'
+      : $crossing == 0
+      ? 'VSM is faster than PCF at every width measured, from '
+      . "$pairs[0]{width} on"
+      : 'PCF is faster below width '
+      . next_width($crossing)
+      . ', VSM from there on';
+    return "$who; $numbers.";
 }
 
 # The link of a point's chain that changes the visibility most, among those
@@ -170,7 +170,7 @@ sub verdict {
     my ( $scene, @points ) = @_;
     my @pairs = pairs(@points);
     return ('PCF and VSM were not both measured here.') unless @pairs;
-    return grep { $_ ne '' } faster( $scene, @pairs ), wronger(@pairs),
+    return grep { $_ ne '' } faster(@pairs), wronger(@pairs),
       soft(@points), advice( $scene, \@points, @pairs );
 }
 

@@ -108,8 +108,14 @@ sub print_claims {
 }
 
 sub print_missing {
-    my @missing = @_;
-    printf "MISSING %s %s: %s\n", @$_{qw(scene label missing)} for @missing;
+    my %by_reason;
+    push @{ $by_reason{ $_->{missing} } }, "$_->{scene} $_->{label}" for @_;
+    for my $reason ( sort keys %by_reason ) {
+        my @points = @{ $by_reason{$reason} };
+        my $more   = @points > 3 ? sprintf ' and %d more', @points - 3 : '';
+        splice @points, 3;
+        print 'MISSING ', join( ', ', @points ), "$more: $reason\n";
+    }
     return;
 }
 

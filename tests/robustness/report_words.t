@@ -1,0 +1,177 @@
+# The report's front and verdicts, from numbers made up so that the answer is
+# known.
+use strict;
+use warnings;
+
+use Test::More;
+use VSM;
+use lib root() . '/tests/report';
+use Columns qw(@COLUMNS csv);
+use Judge   qw(claims mark_front ratio);
+use Sweep   qw(mode sweep);
+use Verdict qw(verdict crossing);
+
+# A point: its label, milliseconds round by round, error.
+sub point {
+    my ( $label, $times, $rmse, %more ) = @_;
+    my ($width) = $label =~ / (\d+)$/;
+    my @sorted = sort { $a <=> $b } @$times;
+    return {
+        scene          => 'teapot',
+        label          => $label,
+        width          => $width // 1,
+        medians        => { total => $times, shading => $times },
+        total_ms       => $sorted[ @sorted / 2 ],
+        total_q1       => $sorted[0],
+        total_q3       => $sorted[-1],
+        footprint_rmse => $rmse,
+        %more
+    };
+}
+
+# PCF takes the width's square.
+my @widths = ( 3, 7, 15, 31 );
+my @pcf    = map { point( "PCF $_", [ $_**2 ], 0.01 ) } @widths;
+
+# --- where one overtakes the other -------------------------------------------
+
+# VSM takes the same at every width.
+sub vsm {
+    my ( $time, $rmse, %more ) = @_;
+    return map { point( "VSM $_", [$time], $rmse, %more ) } @widths;
+}
+my $says = sub { join ' ', verdict( 'teapot', @_ ) };
+like(
+    $says->( @pcf, vsm( 24.99, 0.01 ) ),
+qr/^PCF is faster below width 5, VSM from there on; at 15 VSM is 9\.0 times as/,
+    'they cross at 5: width^2 = 25'
+);
+like(
+    $says->( @pcf, vsm( 26, 0.01 ) ),
+    qr/^PCF is faster below width 7,/,
+    'a little later: the next odd width'
+);
+like(
+    $says->( @pcf, vsm( 1, 0.01 ) ),
+    qr/^VSM is faster than PCF at every width measured, from 3 on; at 15 VSM/,
+    'no crossing: VSM from the first on'
+);
+like(
+    $says->( @pcf, vsm( 1922, 0.01 ) ),
+    qr/^PCF is faster than VSM at every width measured; at 15 PCF is 8\.5/,
+    'no crossing: PCF up to the last'
+);
+like(
+    $says->( @pcf, vsm( 450, 0.01 ) ),
+    qr/below width 23, .*; at 15 PCF is 2\.0 times as fast, at 31 VSM is 2\.1 /,
+    'they cross beyond 15'
+);
+is(
+    verdict( 'teapot', @pcf ),
+    'PCF and VSM were not both measured here.',
+    'half of what it takes: no verdict'
+);
+
+# A slow round hits both: the ratio is that of the same round.
+is(
+    ratio(
+        'total',
+        point( 'PCF 7', [ 10, 100, 12 ], 1 ),
+        point( 'VSM 7', [ 5,  50,  6 ],  1 )
+    ),
+    2,
+    'ratios are made round by round'
+);
+
+# --- how wrong ---------------------------------------------------------------
+
+like(
+    $says->( @pcf, vsm( 25, 0.018, chain_chebyshev_rmse => 0.015 ) ),
+qr/At width 7 .* 1\.8 .* PCF \(RMSE 0\.0180 .* 0\.0100; mostly light bleeding/,
+    'what the error is, and its largest source'
+);
+like(
+    $says->( @pcf, vsm( 25, 0.0101 ) ),
+    qr/as near to its footprint as PCF/,
+    'no difference to speak of'
+);
+like(
+    $says->( @pcf, vsm( 25, 0.005 ) ),
+    qr/nearer to its footprint than PCF/,
+    'VSM can be nearer'
+);
+
+my @hard = point( 'hard', [5], 0.02 );
+unlike( $says->( @pcf, @hard, vsm( 25, 0.018 ) ),
+    qr/Do not/, 'less than twice as wrong: no warning' );
+like(
+    $says->( @pcf, @hard, vsm( 25, 0.03 ) ),
+    qr/Do not use VSM on teapot\.$/,
+    'worse than hard, and than twice PCF'
+);
+unlike(
+    $says->(
+        @pcf,            @hard,
+        vsm( 25, 0.03 ), point( 'VSM reduced 15', [25], 0.015 )
+    ),
+    qr/Do not/,
+    'one setting that works: no warning'
+);
+
+# --- the front ---------------------------------------------------------------
+
+my @points = (
+    point( 'a', [ 9,  10, 11 ], 0.3 ),
+    point( 'b', [ 19, 20, 21 ], 0.2 ),
+    point( 'c', [ 20, 21, 22 ], 0.2 ),    # b's time, for all that is known
+    point( 'd', [ 30, 31, 32 ], 0.2 ),
+    point( 'e', [ 30, 31, 32 ], 0.1 ),
+    point( 'f', [ 1,  1,  1 ],  0.4, scene => 'edge' ),
+);
+mark_front(@points);
+is(
+    join( ' ', map { "$_->{label}$_->{front}" } @points ),
+    'a1 b1 c1 d0 e1 f1',
+    'the front: clearly faster, and no more wrong'
+);
+
+# --- claims ------------------------------------------------------------------
+
+my @claims = claims(
+    point( 'VSM 3', [1], 0.1, scene => 'edge', pcf_rmse => 2e-4 ),
+    point( 'VSM 7', [1], 0.1, scene => 'edge', pcf_rmse => 2e-5 ),
+    point(
+        'VSM 7', [1], 0.1,
+        scene   => 'bleed',
+        pcf_max => 0.46
+    ),
+    point( 'VSM 15', [1], 0.1, scene => 'edge', missing => 'it crashed' ),
+);
+is(
+    join( ' ', map { $_->{holds} ? 'holds' : 'FAILS' } @claims ),
+    'holds FAILS holds FAILS',
+    'claims: finite; edge 1e-4, not of what is missing; bleed 2 %'
+);
+
+# --- the sweep ---------------------------------------------------------------
+
+my ( $all, $left_out ) = sweep( mode('full') );
+cmp_ok( scalar @$all, '>=', 150, 'at least 150 points' );
+my %seen;
+$seen{"$_->{scene} $_->{label}"}++ for @$all;
+is( join( ', ', grep { $seen{$_} > 1 } sort keys %seen ), '',
+    'no point twice' );
+is( ( grep { $_->{reason} eq '' } @$left_out ),
+    0, 'a reason for all that is left out' );
+my %scenes = map { $_->{scene} => 1 } @$all;
+
+for my $scene ( sort keys %scenes ) {
+    my @lacking =
+      grep { !$seen{"$scene $_"} } map { ( "PCF $_", "VSM $_" ) } @widths;
+    is( "@lacking", '', "$scene: PCF and VSM at the widths of a verdict" );
+}
+
+my $csv = csv( { scene => 'a,b', label => 'say "x"', options => [qw(--x y)] } );
+like( $csv, qr/\n"a,b",,"say ""x""",,,,--x y,/, 'csv: quoted where needed' );
+
+done_testing;
