@@ -83,10 +83,14 @@ static GuardNumbers central_numbers(const GuardChain *chain)
         tiny += 4 * (2 + pass->taps) * UNDERFLOW;
         tiny += pass->stored ? chain->store_tiny : 0;
     }
-    spread *= 1 + 8 * (spread + means);
-    spread = fmin(spread, MOST_SPREAD);
     // The last pass is the lookup's, in which nothing is stored.
     double before_last = means - ROUNDOFF;
+    // Second order: products of these.
+    spread = fmin(spread, MOST_SPREAD);
+    double products = 1 + 8 * (spread + means);
+    spread = fmin(spread * products, MOST_SPREAD);
+    means *= products;
+    before_last *= products;
     double more = 1 / (1 - spread - 2 * means) + 8 * ROUNDOFF;
     // And of adding it, and of the depth's own store: a plane is not behind
     // what was stored of it.

@@ -73,7 +73,11 @@ CentralErrors central_errors(const std::vector<MergePass> &passes,
         e.tiny += 4 * (2 + pass.taps) * UNDERFLOW +
                   (pass.stored ? store_absolute(settings) : 0);
     }
-    e.spread *= 1 + 8 * (e.spread + e.mean);
+    // Second order: products of these.
+    double products = 1 + 8 * (std::min(e.spread, WIDEST_SPREAD) + e.mean);
+    e.spread *= products;
+    e.mean *= products;
+    e.moved *= products;
     return e;
 }
 

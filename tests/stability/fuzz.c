@@ -6,10 +6,11 @@
 #include <stdlib.h> // strtol
 #include <string.h> // strcmp
 
-#include "tests/stability/bound.h"   // p_bound
-#include "tests/stability/cases.h"   // print_case_rows
-#include "tests/stability/search.h"  // NO_PROMISE
-#include "tests/stability/windows.h" // random_window
+#include "tests/stability/bound.h"       // p_bound
+#include "tests/stability/cases.h"       // print_case_rows
+#include "tests/stability/search.h"      // NO_PROMISE
+#include "tests/stability/step5_guard.h" // guard_of_step5
+#include "tests/stability/windows.h"     // random_window
 
 static const char usage[] =
     "fuzz [--count N] [--seed N] [--csv] [--break MISTAKE]\n"
@@ -104,7 +105,9 @@ typedef struct Sample {
     double variance, variance_bound;
     double p_error, p_bound;
     double guarded_error, guarded_bound;
-    double below; // how far p with `auto` is below the lit share
+    double below; // how far p with `auto` is below the lit share, with the
+                  // bound's numbers or step 5's
+    bool guards;  // step 5's numbers are the bound's
     double at_4u; // and with 4 u M2, a maximum
 } Sample;
 
@@ -121,7 +124,10 @@ static Sample measure(const Chain *chain, const Window *window)
     s.p_bound = p_bound(chain, &s.truth, false);
     s.guarded_error = fabs((double)s.guarded.p - s.truth.p);
     s.guarded_bound = p_bound(chain, &s.truth, true);
-    s.below = s.truth.lit - (double)s.guarded.p;
+    Guard own = guard_of_step5(chain);
+    Estimate step5 = estimate(chain, window, &own);
+    s.below = s.truth.lit - fmin((double)s.guarded.p, (double)step5.p);
+    s.guards = step5_guards(chain);
     s.at_4u = s.truth.lit - (double)p_at_least_4u(chain, &s.raw, window->t);
     return s;
 }
@@ -130,7 +136,8 @@ static bool sample_holds(const Sample *s)
 {
     // Comparisons with NaN are false: it does not hold.
     return s->p_error <= s->p_bound && s->guarded_error <= s->guarded_bound &&
-           s->variance <= s->variance_bound && s->below <= LAST_ROUNDINGS;
+           s->variance <= s->variance_bound && s->guards &&
+           s->below <= LAST_ROUNDINGS;
 }
 
 static const char *kind_of(const Chain *chain)
@@ -150,6 +157,7 @@ static void print_failure(const Chain *chain, const Window *window,
     printf("of its bound: p %.3g, with auto %.3g; variance %a, bound %a\n",
            s->p_error / s->p_bound, s->guarded_error / s->guarded_bound,
            s->variance, s->variance_bound);
+    printf("step 5 guards as it should: %s\n", s->guards ? "yes" : "no");
     printf("t %a, weights", (double)window->t);
     for (int i = 0; i < chain->taps; i++) {
         printf(" %a", (double)chain->weights[i]);

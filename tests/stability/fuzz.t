@@ -19,7 +19,7 @@ for my $seed ( 1, 2 ) {
 is( command( $fuzz, '--count', 50 )->{out},
     command( $fuzz, '--count', 50 )->{out}, 'the same windows every time' );
 
-for my $fault (qw(variance-sign naive-merge bound-tenth)) {
+for my $fault (qw(variance-sign naive-merge bound-tenth bound-tenfold)) {
     my $run = command( $fuzz, '--break', $fault );
     is( $run->{status}, 1, "$fault is found" );
     like( $run->{out}, qr/^depths 0x/m, 'and its worst window printed' );
