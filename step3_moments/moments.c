@@ -78,9 +78,14 @@ void moments_settings_check(const MomentsSettings *settings,
     }
 }
 
+bool moments_projected(const MomentsSettings *settings)
+{
+    return strcmp(settings->depth, "projected") == 0;
+}
+
 const char *moments_depth_shader(const MomentsSettings *settings)
 {
-    return strcmp(settings->depth, "projected") == 0
+    return moments_projected(settings)
                ? "step3_moments/shaders/projected_depth.glsl"
                : "step1_shadowmap/shaders/linear_depth.glsl";
 }

@@ -29,6 +29,9 @@ MomentsSettings moments_settings(void);
 void moments_settings_check(const MomentsSettings *settings,
                             const OptionTable tables[]);
 
+// Whether t is z / w of the view, for a light that has one.
+bool moments_projected(const MomentsSettings *settings);
+
 // The shader file with the formula of the depth t, for the map and the picture.
 const char *moments_depth_shader(const MomentsSettings *settings);
 

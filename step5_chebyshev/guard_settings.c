@@ -22,8 +22,8 @@ static void add_blur(GuardChain *chain, const BlurSettings *settings)
 }
 
 // The coarsest level, for which there are the most passes; then between two
-// levels, then the taps along the pixel.
-static void add_levels(GuardChain *chain, const Blur *filter)
+// levels, then the taps along the pixel or over the penumbra.
+static void add_levels(GuardChain *chain, const Blur *filter, int lookups)
 {
     for (int level = 1; level < filter->mips.levels; level++) {
         guard_add(chain, (GuardPass){
@@ -31,14 +31,15 @@ static void add_levels(GuardChain *chain, const Blur *filter)
     }
     guard_add_bilinear(chain);
     guard_add(chain, (GuardPass){.two = true});
-    if (filter->anisotropy > 1) {
-        guard_add_box(chain, filter->anisotropy);
+    if (lookups > 1) {
+        guard_add_box(chain, lookups);
         chain->passes[chain->count - 1].stored = false;
     }
 }
 
 GuardNumbers guard_of_settings(const MomentsSettings *moments,
-                               const BlurSettings *settings, const Blur *filter)
+                               const BlurSettings *settings, const Blur *filter,
+                               int lookups)
 {
     GuardChain chain = {.central = moments_are_central(moments)};
     if (moments_format(moments) == GL_RG16F) {
@@ -60,7 +61,7 @@ GuardNumbers guard_of_settings(const MomentsSettings *moments,
         add_blur(&chain, settings);
     }
     if (settings->mips) {
-        add_levels(&chain, filter);
+        add_levels(&chain, filter, lookups);
     } else {
         guard_add_bilinear(&chain);
     }

@@ -6,9 +6,10 @@
 #include "step4_blur/blur.h"       // Blur
 #include "step5_chebyshev/guard.h" // GuardNumbers
 
-// Against the averages between the depths in the map and the bound.
+// Against the averages between the depths in the map and the bound, the last of
+// which is of so many lookups; 1: there is none.
 GuardNumbers guard_of_settings(const MomentsSettings *moments,
-                               const BlurSettings *settings,
-                               const Blur *filter);
+                               const BlurSettings *settings, const Blur *filter,
+                               int lookups);
 
 #endif

@@ -3,16 +3,15 @@
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw_create_from
+#include "step1_shadowmap/base/scene_draw.h" // scene_draw_dump
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
 #include "step3_moments/moments.h"           // moments_draw
 #include "step4_blur/blur.h"                 // blur_apply
-#include "step5_chebyshev/chebyshev.h"       // chebyshev_apply
+#include "step5_chebyshev/chebyshev.h"       // chebyshev_settings
 #include "step5_chebyshev/deferred.h"        // deferred_draw
-#include "step5_chebyshev/guard_settings.h"  // guard_of_settings
-#include "step5_chebyshev/shading.h"         // shading_shaders
+#include "step5_chebyshev/shading.h"         // shading_picture
 
 static struct {
     BaseSettings base;
@@ -27,8 +26,7 @@ static struct {
     Geometry geometry;
     MomentsMap map;
     Blur filter;
-    GuardNumbers guard; // against what all that rounds
-    GLuint filtered;    // the map that the picture looks up
+    GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
     Deferred deferred;
     Stopwatch stopwatch;
@@ -41,7 +39,8 @@ static void read_settings(int argc, char **argv)
     state.moments = moments_settings();
     state.blur = blur_settings();
     state.chebyshev = chebyshev_settings();
-    state.shading = shading_settings();
+    state.shading =
+        shading_settings(&state.moments, &state.blur, &state.chebyshev);
     state.options[0] = options_table(base_options, &state.base);
     state.options[1] = options_table(moments_options, &state.moments);
     state.options[2] = options_table(blur_options, &state.blur);
@@ -50,31 +49,23 @@ static void read_settings(int argc, char **argv)
     options_parse(argc, argv, state.options);
     moments_settings_check(&state.moments, state.options);
     state.base.depth_shader = moments_depth_shader(&state.moments);
-    shading_settings_check(&state.shading, &state.blur, &state.moments,
-                           state.base.map_size, state.options);
+    shading_check(&state.shading, &state.base, state.options);
     base_settings_check(&state.base);
 }
 
 static void create(void)
 {
     ShaderFiles files = base_shader_files(&state.base);
-    const char *visibility[SHADING_MAX_SHADERS];
-    shading_shaders(&state.shading, &state.blur, &state.moments,
-                    &state.chebyshev, visibility);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
+    shading_fit(&state.shading, &state.views, &state.scene, &state.base);
     state.geometry = geometry_create(&state.scene);
     if (base_shadows(&state.base)) {
         state.map = moments_create(files, &state.views, &state.moments);
         state.filter =
             blur_create(files, &state.blur, &state.moments, &state.map);
-        state.guard =
-            guard_of_settings(&state.moments, &state.blur, &state.filter);
     }
-    state.picture =
-        scene_draw_create_from(deferred_source(state.shading.deferred),
-                               &state.base, state.scene.light.kind, visibility);
+    state.picture = shading_picture(&state.shading, &state.base, &state.scene);
     state.deferred =
         deferred_create(state.shading.deferred, &state.base, &state.picture);
 }
@@ -88,8 +79,9 @@ static void draw_frame(void)
         state.filtered = blur_apply(&state.filter, &state.map);
         stopwatch_lap(&state.stopwatch, "blur");
     }
-    chebyshev_apply(&state.chebyshev, &state.guard, state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
+    shading_apply(&state.shading, &state.filter, &state.views,
+                  state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
                   &state.geometry, &state.views, state.filtered);
     stopwatch_lap(&state.stopwatch, "shading");
@@ -122,8 +114,7 @@ static void run_window(void)
                             deferred_reload(&state.deferred);
             window_reload(&state.window, compiled);
         }
-        views_fit(&state.views, &state.scene, &state.base,
-                  blur_reach(&state.blur));
+        shading_fit(&state.shading, &state.views, &state.scene, &state.base);
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

@@ -2,8 +2,10 @@
 
 #include <string.h> // memmove, strcmp
 
-#include "step1_shadowmap/base/die.h"        // die_usage
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw_footprint
+#include "step1_shadowmap/base/die.h"       // die_usage
+#include "step1_shadowmap/shadow_map.h"     // bias_apply
+#include "step5_chebyshev/deferred.h"       // deferred_source
+#include "step5_chebyshev/guard_settings.h" // guard_of_settings
 
 const Option shading_options[] = {
     {.name = "deferred",
@@ -19,25 +21,129 @@ const Option shading_options[] = {
      .help =
          "with --sat: the box is 2 radius + 1 texels wide, or up to that as "
          "many as a texel is half pixels wide"},
+    {.name = "soft",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(ShadingSettings, soft),
+     .help = "penumbrae grow with the way from what casts them, as those of a "
+             "light with a size do"},
+    {.name = "light-size",
+     .kind = OPTION_NUMBER,
+     .offset = offsetof(ShadingSettings, softness.light_size),
+     .minimum = 0,
+     .maximum = 1e6,
+     .argument = "X",
+     .help = "with --soft: the light's diameter, in world units; of a "
+             "directional one the tangent of the angle it is seen under"},
+    {.name = "penumbra-scale",
+     .kind = OPTION_NUMBER,
+     .offset = offsetof(ShadingSettings, softness.penumbra_scale),
+     .minimum = 0,
+     .maximum = 100,
+     .argument = "X",
+     .help = "with --soft: penumbrae are X times as wide, as far as occluders "
+             "are searched for"},
+    {.name = "hybrid",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(ShadingSettings, hybrid),
+     .help = "with --soft: compare depths in the penumbra, so that no light "
+             "bleeds"},
     {0},
 };
 
-ShadingSettings shading_settings(void)
+ShadingSettings shading_settings(const MomentsSettings *moments,
+                                 BlurSettings *blur,
+                                 const ChebyshevSettings *chebyshev)
 {
-    return (ShadingSettings){.sat_width = "fixed"};
+    return (ShadingSettings){
+        .moments = moments,
+        .blur = blur,
+        .chebyshev = chebyshev,
+        .sat_width = "fixed",
+        .softness = {.light_size = 0.05, .penumbra_scale = 1}};
 }
 
-void shading_settings_check(const ShadingSettings *settings,
-                            const BlurSettings *blur,
-                            const MomentsSettings *moments,
-                            const int map_size[2], const OptionTable tables[])
+static void check_soft(const BlurSettings *blur, const OptionTable tables[])
 {
-    blur_settings_check(blur, moments, map_size, tables);
+    if (blur->sat) {
+        die_usage("--soft looks up a mip-map chain, --sat makes a table: drop "
+                  "one of them");
+    }
+    if (blur_uses_hardware(blur)) {
+        die_usage("--soft chooses its levels itself: drop --soft or --sampler "
+                  "%s",
+                  blur->sampler);
+    }
+    if (options_given(tables, "anisotropy")) {
+        die_usage("--soft averages a disc, not the pixel's footprint: drop "
+                  "--soft or --anisotropy %d",
+                  blur->anisotropy);
+    }
+}
+
+static void check_hybrid(const ShadingSettings *settings,
+                         const OptionTable tables[])
+{
+    const char *filter = blur_used_radius(settings->blur) > 0
+                             ? "--blur and --radius"
+                         : settings->blur->downsample > 1 ? "--downsample"
+                         : settings->moments->msaa > 1    ? "--msaa"
+                                                          : NULL;
+    if (filter != NULL) {
+        die_usage("--hybrid compares depths, and a filtered map has none: drop "
+                  "--hybrid or %s",
+                  filter);
+    }
+    if (options_given(tables, "bleed-reduction") ||
+        options_given(tables, "reduction")) {
+        die_usage("--hybrid lets no light bleed: drop --hybrid, or "
+                  "--bleed-reduction and --reduction");
+    }
+}
+
+static void check_needs_soft(const char *name, const OptionTable tables[])
+{
+    if (options_given(tables, name)) {
+        die_usage("--%s needs --soft: add --soft or drop --%s", name, name);
+    }
+}
+
+void shading_check(const ShadingSettings *settings, const BaseSettings *base,
+                   const OptionTable tables[])
+{
+    BlurSettings *blur = settings->blur;
+    if (settings->soft) {
+        check_soft(blur, tables);
+        blur->mips = true;
+        if (!options_given(tables, "blur") &&
+            !options_given(tables, "radius")) {
+            blur->kernel = "none";
+        }
+    } else {
+        check_needs_soft("light-size", tables);
+        check_needs_soft("penumbra-scale", tables);
+        check_needs_soft("hybrid", tables);
+    }
+    if (settings->hybrid) {
+        check_hybrid(settings, tables);
+    }
+    blur_settings_check(blur, settings->moments, base->map_size, tables);
     if (options_given(tables, "sat-width") && !blur->sat) {
         die_usage("--sat-width %s is of a summed-area table's box: add --sat "
                   "or drop --sat-width",
                   settings->sat_width);
     }
+}
+
+void shading_fit(ShadingSettings *settings, Views *views, const Scene *scene,
+                 const BaseSettings *base)
+{
+    if (settings->reach == 0) {
+        settings->reach =
+            settings->soft
+                ? soft_reach(&settings->softness, settings->blur, base, scene)
+                : blur_reach(settings->blur);
+    }
+    views_fit(views, scene, base, settings->reach);
 }
 
 // Puts the adaptive box's lookup, and the footprint that this one asks for, in
@@ -56,20 +162,84 @@ static void adapt_box(const char *files[])
     files[place + 1] = "step5_chebyshev/shaders/lookup_sat_adaptive.glsl";
 }
 
-void shading_shaders(const ShadingSettings *settings, const BlurSettings *blur,
-                     const MomentsSettings *moments,
-                     const ChebyshevSettings *chebyshev, const char *files[])
+// Returns where the list goes on.
+static const char **append(const char **files, const char *const more[])
 {
-    int count = 1;
-    files[0] = chebyshev_reduction_shader(chebyshev);
-    blur_picture_shaders(blur, moments,
-                         chebyshev_guard_shader(chebyshev, moments), &files[1]);
-    while (files[count] != NULL) {
-        count++;
+    while (*more != NULL) {
+        *files++ = *more++;
     }
-    files[count] = "step5_chebyshev/shaders/chebyshev.glsl";
-    files[count + 1] = NULL;
+    return files;
+}
+
+static const char **append_soft(const ShadingSettings *settings,
+                                const char **files)
+{
+    const char *const soft[] = {
+        moments_merge_shader(settings->moments),
+        moments_between_shader(settings->moments),
+        "step1_shadowmap/shaders/depth_slope.glsl",
+        "step4_blur/shaders/mip_levels.glsl",
+        chebyshev_guard_shader(settings->chebyshev, settings->moments),
+        "step5_chebyshev/shaders/chebyshev.glsl",
+        "step2_pcf/shaders/poisson_disc.glsl",
+        "step5_chebyshev/shaders/penumbra.glsl",
+        "step5_chebyshev/shaders/lookup_soft.glsl",
+        NULL};
+    return append(files, soft);
+}
+
+// The blur's lookup, and the guard and the bound.
+static const char **append_blur(const ShadingSettings *settings,
+                                const char **files)
+{
+    static const char *const bound[] = {
+        "step5_chebyshev/shaders/chebyshev.glsl", NULL};
+    const char *usual[SHADING_MAX_SHADERS];
+    blur_picture_shaders(
+        settings->blur, settings->moments,
+        chebyshev_guard_shader(settings->chebyshev, settings->moments), usual);
     if (strcmp(settings->sat_width, "adaptive") == 0) {
-        adapt_box(files);
+        adapt_box(usual);
+    }
+    return append(append(files, usual), bound);
+}
+
+void shading_shaders(const ShadingSettings *settings, const char *files[])
+{
+    static const char *const compared[] = {
+        "step1_shadowmap/shaders/bias.glsl",
+        "step5_chebyshev/shaders/visibility_hybrid.glsl", NULL};
+    const char *const bounded[] = {
+        chebyshev_reduction_shader(settings->chebyshev),
+        "step5_chebyshev/shaders/visibility.glsl", NULL};
+    files = settings->soft ? append_soft(settings, files)
+                           : append_blur(settings, files);
+    files = append(files, settings->hybrid ? compared : bounded);
+    *files = NULL;
+}
+
+SceneDraw shading_picture(const ShadingSettings *settings,
+                          const BaseSettings *base, const Scene *scene)
+{
+    const char *visibility[SHADING_MAX_SHADERS];
+    shading_shaders(settings, visibility);
+    return scene_draw_create_from(deferred_source(settings->deferred), base,
+                                  scene->light.kind, visibility);
+}
+
+void shading_apply(const ShadingSettings *settings, const Blur *filter,
+                   const Views *views, GLuint program)
+{
+    int lookups = settings->soft ? SOFT_TAPS : settings->blur->anisotropy;
+    GuardNumbers guard =
+        guard_of_settings(settings->moments, settings->blur, filter, lookups);
+    chebyshev_apply(settings->chebyshev, &guard, program);
+    if (settings->soft) {
+        soft_apply(&settings->softness, views,
+                   moments_projected(settings->moments), program);
+    }
+    if (settings->hybrid) {
+        BiasSettings bias = bias_settings();
+        bias_apply(&bias, program);
     }
 }

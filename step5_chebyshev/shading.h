@@ -3,31 +3,54 @@
 #ifndef STEP5_SHADING_H
 #define STEP5_SHADING_H
 
-#include "step4_blur/blur.h"           // BLUR_MAX_SHADERS
-#include "step5_chebyshev/chebyshev.h" // ChebyshevSettings
+#include "step1_shadowmap/base/scene_draw.h" // SceneDraw
+#include "step3_moments/moments.h"           // MomentsSettings
+#include "step4_blur/blur.h"                 // BlurSettings
+#include "step5_chebyshev/chebyshev.h"       // ChebyshevSettings
+#include "step5_chebyshev/soft.h"            // SoftSettings
 
 typedef struct ShadingSettings {
+    const MomentsSettings *moments; // of the stages before
+    BlurSettings *blur;
+    const ChebyshevSettings *chebyshev;
     bool deferred;         // what each pixel shows first, then its light
     const char *sat_width; // of a table's box: fixed or adaptive
+    bool soft;             // the penumbra is each receiver's own
+    SoftSettings softness;
+    bool hybrid; // comparisons in its penumbra, not moments
+    int reach;   // texels that a lookup reads to each side; 0: not known yet
 } ShadingSettings;
 
 extern const Option shading_options[];
 
-ShadingSettings shading_settings(void);
+// Keeps the pointers.
+ShadingSettings shading_settings(const MomentsSettings *moments,
+                                 BlurSettings *blur,
+                                 const ChebyshevSettings *chebyshev);
 
-// Refuses (status 2) what blur_settings_check does, and what contradicts the
-// filter that is left.
-void shading_settings_check(const ShadingSettings *settings,
-                            const BlurSettings *blur,
-                            const MomentsSettings *moments,
-                            const int map_size[2], const OptionTable tables[]);
+// Chooses the filter that soft shadows need: mip-maps, of moments that are not
+// blurred unless a blur was asked for. Then refuses (status 2) what
+// blur_settings_check does, and what contradicts that filter.
+void shading_check(const ShadingSettings *settings, const BaseSettings *base,
+                   const OptionTable tables[]);
 
-enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 3 };
+// views_fit with room for the widest lookup, which it finds the first time.
+void shading_fit(ShadingSettings *settings, Views *views, const Scene *scene,
+                 const BaseSettings *base);
+
+enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 
 // The shader files that define visibility() for these settings, up to
 // SHADING_MAX_SHADERS with the NULL at the end.
-void shading_shaders(const ShadingSettings *settings, const BlurSettings *blur,
-                     const MomentsSettings *moments,
-                     const ChebyshevSettings *chebyshev, const char *files[]);
+void shading_shaders(const ShadingSettings *settings, const char *files[]);
+
+// The picture that these files and the scene's light make, see
+// scene_draw_create.
+SceneDraw shading_picture(const ShadingSettings *settings,
+                          const BaseSettings *base, const Scene *scene);
+
+// Sets the uniforms of these files, but those of the filter's own lookup.
+void shading_apply(const ShadingSettings *settings, const Blur *filter,
+                   const Views *views, GLuint program);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct ShaderFiles {
     const char *directory;
 } ShaderFiles;
 
-enum { PROGRAM_MAX_FILES = 20 };
+enum { PROGRAM_MAX_FILES = 24 };
 
 // A program, and the files that it is made of: names that stay valid, NULL
 // after the last. It has either vertex and fragment files, or compute files.

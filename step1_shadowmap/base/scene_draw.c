@@ -86,7 +86,7 @@ static Program create_program(const SceneSource *source,
         fragment[count++] = source->steps;
     }
     for (int i = 0; visibility[i] != NULL; i++) {
-        if (count + 6 > MAX_FILES) {
+        if (count + 7 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
         }
         fragment[count++] = visibility[i];

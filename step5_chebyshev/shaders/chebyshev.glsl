@@ -11,11 +11,3 @@ float chebyshev(float mean, float variance, float t)
     float p_max = variance / (variance + behind * behind);
     return behind > 0.0 ? p_max : 1.0;
 }
-
-// The variance is at least what --min-variance says.
-float visibility(Receiver receiver)
-{
-    vec2 depths = guarded(moments_at(receiver), receiver);
-    float variance = min(depths.y + variance_bias, 1.0);
-    return reduce_bleeding(chebyshev(depths.x, variance, receiver.depth));
-}

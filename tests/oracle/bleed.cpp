@@ -71,8 +71,8 @@ static double brightest(const Run &run, const BleedMap &map, double nearer,
 void check_bleed(const Run &run, const SceneTable &table, double r,
                  Report &report)
 {
-    if (run.step != 5 || run.settings.bleed_reduction != 0)
-        throw BadInput("bleed needs step 5 with bleed-reduction 0");
+    if (run.step != 5 || run.settings.bleed_reduction != 0 || run.settings.soft)
+        throw BadInput("bleed needs step 5 with bleed-reduction 0, not --soft");
     if (run.settings.msaa > 1)
         throw BadInput("bleed knows no texels of several depths");
     MapRectangle upper(table, run, "upper"), lower(table, run, "lower");

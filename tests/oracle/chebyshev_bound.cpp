@@ -23,9 +23,9 @@ double depth_noise(const MapView &view, const glm::dvec3 &position)
 namespace
 {
 
-// What goes into the bound.
-struct Depths {
-    Interval mean, variance;
+// What goes into the bound: the variance, and how much is added to the mean.
+struct Guarded {
+    Interval more, variance;
 };
 
 } // namespace
@@ -39,13 +39,13 @@ static Interval variance_of(const Moments &m, const Settings &settings)
 }
 
 // --min-variance auto of M1 and M2: sums of positive numbers.
-static Depths guarded_raw(const Moments &m, const Formula &f)
+static Guarded guarded_raw(const Moments &m, Interval variance,
+                           const Formula &f)
 {
     Interval more_mean = f.guard.mean * m.m1 + Interval(f.guard.mean_fixed);
     Interval more = f.guard.variance * m.second + f.guard.variance_fixed;
-    Interval variance = maximum(variance_of(m, f.settings), 0);
-    return {rounded(m.m1 + more_mean, rounding_share(1)),
-            rounded(variance + more, rounding_share(4))};
+    return {rounded(more_mean, rounding_share(3)),
+            rounded(maximum(variance, 0) + more, rounding_share(4))};
 }
 
 static Interval root(Interval a)
@@ -55,9 +55,10 @@ static Interval root(Interval a)
 
 // Of mean and variance: also. A root or a length of a vector may be 3 units
 // off, and the noise is made of four of those.
-static Depths guarded_central(const Moments &m, double noise, const Formula &f)
+static Guarded guarded_central(const Moments &m, Interval variance,
+                               double noise, const Formula &f)
 {
-    Interval variance = maximum(m.second, 0);
+    variance = maximum(variance, 0);
     Interval size = root(square(m.m1) + variance);
     size = {rounded_part(size.lo), rounded_part(size.hi)};
     Interval part = {rounded_part(m.m1.lo), rounded_part(m.m1.hi)};
@@ -68,17 +69,18 @@ static Depths guarded_central(const Moments &m, double noise, const Formula &f)
     Interval most = deviation + spread + f.guard.variance * size +
                     Interval(f.guard.mean_fixed);
     Interval own = rounded(square(noise), rounding_share(32));
-    return {rounded(m.m1 + more_mean, rounding_share(1)),
+    return {rounded(more_mean, rounding_share(12)),
             rounded(square(most) + own, rounding_share(20))};
 }
 
-static Depths guarded(const Moments &m, double noise, const Formula &f)
+static Guarded guarded(const Moments &m, Interval variance, double noise,
+                       const Formula &f)
 {
     if (f.settings.auto_variance)
-        return f.settings.central ? guarded_central(m, noise, f)
-                                  : guarded_raw(m, f);
+        return f.settings.central ? guarded_central(m, variance, noise, f)
+                                  : guarded_raw(m, variance, f);
     Interval least = rounded(f.settings.min_variance, UNIT_ROUNDOFF);
-    return {m.m1, maximum(variance_of(m, f.settings), least)};
+    return {0, maximum(variance, least)};
 }
 
 static Interval biased(Interval variance, const Settings &settings)
@@ -90,13 +92,10 @@ static Interval biased(Interval variance, const Settings &settings)
     return {std::min(sum.lo, 1.0), std::min(sum.hi, 1.0)};
 }
 
-static Interval p_max(const Depths &depths, Interval t,
-                      const Settings &settings)
+static Interval p_max(Interval above, Interval v)
 {
-    Interval above = rounded(t - depths.mean, UNIT_ROUNDOFF);
     if (above.hi <= 0)
         return 1;
-    Interval v = biased(depths.variance, settings);
     Interval d2 = square(maximum(above, 0));
     // p grows with v and falls with d, so its ends are at the ends. Where
     // t <= m1 is possible, d2.lo is 0 and p.hi is 1, as the formula wants.
@@ -113,12 +112,9 @@ static double smooth_step(double s)
     return s * s * (3 - 2 * s);
 }
 
-Interval chebyshev(const Moments &moments, Interval t, double noise,
-                   const Formula &formula)
+Interval reduced(Interval p, const Settings &settings)
 {
-    const Settings &settings = formula.settings;
     double a = settings.bleed_reduction;
-    Interval p = p_max(guarded(moments, noise, formula), t, settings);
     if (a == 0 && !settings.smooth)
         return clamp(p, 0, 1);
     Interval above = widened(p - a, 2 * UNIT_ROUNDOFF); // p <= 1: absolute
@@ -131,14 +127,34 @@ Interval chebyshev(const Moments &moments, Interval t, double noise,
         0, 1);
 }
 
+// The mean is added to once, and taken from t once.
+Bound bound_of(const Moments &moments, Interval before, Interval variance,
+               double noise, const Formula &formula)
+{
+    Guarded guard = guarded(moments, variance, noise, formula);
+    Interval v = biased(guard.variance, formula.settings);
+    Interval left = rounded(before - guard.more, UNIT_ROUNDOFF);
+    if (formula.settings.auto_variance)
+        left = widened(left, UNIT_ROUNDOFF * magnitude(moments.m1).hi);
+    return {left, p_max(left, v)};
+}
+
+Interval chebyshev(const Moments &moments, Interval t, double noise,
+                   const Formula &formula)
+{
+    Interval variance = variance_of(moments, formula.settings);
+    Bound bound = bound_of(moments, t - moments.m1, variance, noise, formula);
+    return reduced(bound.p, formula.settings);
+}
+
 double chebyshev_exact(double m1, double variance, double t, double noise,
                        const Formula &formula)
 {
     const Settings &settings = formula.settings;
     Moments moments{m1, settings.central ? variance : variance + m1 * m1};
-    Depths depths = guarded(moments, noise, formula);
-    double mean = (depths.mean.lo + depths.mean.hi) / 2;
-    double v = (depths.variance.lo + depths.variance.hi) / 2;
+    Guarded guard = guarded(moments, variance, noise, formula);
+    double mean = m1 + (guard.more.lo + guard.more.hi) / 2;
+    double v = (guard.variance.lo + guard.variance.hi) / 2;
     if (t <= mean)
         return 1;
     v = std::min(v + settings.variance_bias, 1.0);

@@ -33,6 +33,19 @@ double depth_noise(const MapView &view, const glm::dvec3 &position);
 Interval chebyshev(const Moments &moments, Interval t, double noise,
                    const Formula &formula);
 
+// The bound itself, and what it was made of: t - M1 (`before`) and the variance
+// where they are known more sharply than from the moments, as of taps whose
+// errors go together. Neither is reduced.
+struct Bound {
+    Interval before; // what --min-variance auto leaves of it
+    Interval p;
+};
+Bound bound_of(const Moments &moments, Interval before, Interval variance,
+               double noise, const Formula &formula);
+
+// What the light-bleeding reduction makes of it.
+Interval reduced(Interval p, const Settings &settings);
+
 // The same without rounding, of a mean and a variance; the minimum variance
 // included.
 double chebyshev_exact(double m1, double variance, double t, double noise,

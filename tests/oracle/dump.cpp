@@ -122,6 +122,10 @@ static Settings settings_of(const json &options, int step)
         settings.variance_bias = options.at("variance-bias").get<double>();
         settings.smooth = options.at("reduction") == "smooth";
         settings.adaptive_box = options.at("sat-width") == "adaptive";
+        settings.soft = options.at("soft").get<bool>();
+        settings.light_size = options.at("light-size").get<double>();
+        settings.penumbra_scale = options.at("penumbra-scale").get<double>();
+        settings.hybrid = options.at("hybrid").get<bool>();
     }
     return settings;
 }

@@ -69,6 +69,10 @@ struct Settings {
     bool hardware = false; // the texture unit chooses levels and taps
     bool sat = false;      // the box comes from a table of sums
     bool adaptive_box = false; // which differs in width from pixel to pixel
+    bool soft = false;         // the penumbra is each receiver's own
+    double light_size = 0; // diameter, of a parallel light at a distance of 1
+    double penumbra_scale = 1;
+    bool hybrid = false; // depths are compared in the penumbra
     bool auto_variance = true;
     double min_variance = 0; // used when not auto_variance
     double bleed_reduction = 0;
@@ -79,7 +83,7 @@ struct Settings {
     // Where not, only the light's own truth is known.
     bool has_weights() const
     {
-        return !adaptive_box;
+        return !adaptive_box && !soft;
     }
     bool reduces() const
     {

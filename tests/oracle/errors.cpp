@@ -163,7 +163,8 @@ static std::vector<Wanted> truths_of(const TruthScene &scene,
     const Run &run = scene.run;
     double rays = options.rays, size = options.light_size;
     std::string count = in_words("%g", rays, 0);
-    if (run.step == 5 && !run.settings.reduces() && options.lower)
+    if (run.step == 5 && !run.settings.reduces() && !run.settings.soft &&
+        options.lower)
         truths.push_back(
             {"lower", "", [&scene] { return lower_truth(scene); }});
     if (run.settings.has_weights()) {

@@ -5,6 +5,7 @@
 
 #include "tests/oracle/chebyshev_bound.h" // store_share
 #include "tests/oracle/footprint.h"       // blur_weights
+#include "tests/oracle/poisson_disc.h"    // POISSON_TAPS
 #include "tests/oracle/rounding.h"
 
 static constexpr double UNDERFLOW = 0x1p-126;
@@ -47,6 +48,9 @@ static std::vector<MergePass> all_passes(const Run &run)
     if (settings.mips && settings.anisotropy > 1)
         passes.push_back({settings.anisotropy + 1.0, 1.0 / settings.anisotropy,
                           0, false, false});
+    if (settings.soft)
+        passes.push_back(
+            {POISSON_TAPS + 1.0, 1.0 / POISSON_TAPS, 0, false, false});
     return passes;
 }
 

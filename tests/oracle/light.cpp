@@ -106,16 +106,17 @@ bool inside_map(const Receiver &r)
     return r.u >= 0 && r.u <= 1 && r.v >= 0 && r.v <= 1 && r.t >= 0 && r.t <= 1;
 }
 
-// |dt/du| of the receiver's plane. A plane N.p = c in map space has the
-// gradient (N.U/|U|^2, N.V/|V|^2, N.T/|T|^2), so dt/du = -first/third. The
-// third is kept at 0.02/|T|, that is N.L at 0.02, so the slope stays finite.
+// dt/du of the receiver's plane. A plane N.p = c in map space has the gradient
+// (N.U/|U|^2, N.V/|V|^2, N.T/|T|^2), so dt/du = -first/third. It faces the
+// light, so the third is negative; it is kept at 0.02/|T|, that is N.L at 0.02,
+// so the slope stays finite.
 static Interval slope(const glm::dvec3 &normal, const glm::dvec3 &axis,
                       const glm::dvec3 &t)
 {
     Interval along = rounded_dot(normal, axis) / glm::dot(axis, axis);
     Interval depth = rounded_dot(normal, t) / glm::dot(t, t);
     double least = 0.02 / glm::length(t);
-    return magnitude(along) / maximum(magnitude(depth), least);
+    return along / maximum(magnitude(depth), least);
 }
 
 namespace
@@ -166,12 +167,11 @@ static Rounded gradient(const glm::dvec4 &row, double u, const MapView &view,
     return {value, rounding_share(4) * terms + share * glm::length(value)};
 }
 
-// |dt/du| and |dt/dv| of the receiver's plane under a perspective. On the plane
+// dt/du and dt/dv of the receiver's plane under a perspective. On the plane
 // u and v are coordinates, so dt = (dt/du) du + (dt/dv) dv for every step in
 // it; the step along grad v x N has dv = 0, so dt/du is the ratio of what t and
 // u gain on it. N.(grad u x grad v) is held at a fiftieth of its largest value.
-static void local_slopes(const Receiver &r, const MapView &view,
-                         Interval &per_u, Interval &per_v)
+static PlaneSlopes local_slopes(const Receiver &r, const MapView &view)
 {
     glm::dvec3 away = r.position - view.position;
     double length = glm::length(away), range = view.far - view.near;
@@ -189,27 +189,25 @@ static void local_slopes(const Receiver &r, const MapView &view,
         widened(least, 0.02 * ray.error + rounding_share(6) * least);
     Interval facing = maximum(magnitude(dot(n, ray)), 0);
     facing = {std::max(facing.lo, hold.lo), std::max(facing.hi, hold.hi)};
-    per_u = magnitude(dot(t, cross(v, n))) / facing;
-    per_v = magnitude(dot(t, cross(u, n))) / facing;
+    return {dot(t, cross(v, n)) / facing,
+            (Interval(0) - dot(t, cross(u, n))) / facing};
 }
 
-static void slopes(const Receiver &r, const MapView &view, Interval &per_u,
-                   Interval &per_v)
+PlaneSlopes plane_slopes(const Receiver &r, const MapView &view)
 {
     if (!view.parallel())
-        return local_slopes(r, view, per_u, per_v);
+        return local_slopes(r, view);
     glm::dvec3 t = direction(view.rows[2]);
-    per_u = slope(r.normal, direction(view.rows[0]), t);
-    per_v = slope(r.normal, direction(view.rows[1]), t);
+    return {slope(r.normal, direction(view.rows[0]), t),
+            slope(r.normal, direction(view.rows[1]), t)};
 }
 
 Interval total_bias(const Receiver &receiver, const MapView &view, int width,
                     int height, int n, const Settings &settings)
 {
-    Interval dx, dy;
-    slopes(receiver, view, dx, dy);
-    dx = dx / double(width);
-    dy = dy / double(height);
+    PlaneSlopes slopes = plane_slopes(receiver, view);
+    Interval dx = magnitude(slopes.u) / double(width);
+    Interval dy = magnitude(slopes.v) / double(height);
     double texels = settings.slope_bias * (n + 1) / 2;
     Interval bias = settings.bias + texels * (dx + dy);
     // Rounded squares (4 each), quotients, the least depth, sums and products:

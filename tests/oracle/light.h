@@ -28,6 +28,13 @@ double cosine_to_light(const glm::dvec3 &normal, const MapView &view,
 // u, v and t all in [0, 1]; outside the map everything is lit.
 bool inside_map(const Receiver &receiver);
 
+// dt/du and dt/dv on the plane of a receiver that faces the light. Where the
+// light grazes it they are held: at the slope of N.L = 0.02 for a parallel one.
+struct PlaneSlopes {
+    Interval u, v;
+};
+PlaneSlopes plane_slopes(const Receiver &receiver, const MapView &view);
+
 // bias + slope-bias (n+1)/2 (|dt/dx| + |dt/dy|), x and y in texels of a map of
 // width x height, n the width of the comparison's kernel.
 Interval total_bias(const Receiver &receiver, const MapView &view, int width,

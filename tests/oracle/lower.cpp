@@ -178,8 +178,8 @@ static void test_pixel(const Run &run, const Receiver &r, const Maps &maps,
 
 void check_lower(const Run &run, Report &report)
 {
-    if (run.step != 5 || run.settings.reduces())
-        throw BadInput("lower needs step 5 without a reduction");
+    if (run.step != 5 || run.settings.reduces() || run.settings.soft)
+        throw BadInput("lower needs step 5 without a reduction or --soft");
     Receivers receivers(run);
     Maps maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)

@@ -21,6 +21,11 @@ void check_view(const Run &run, const SceneTable &table, int layer,
 void check_local_view(const Run &run, const SceneTable &table, int layer,
                       Report &report);
 
+// With --soft, the borders are as wide as the light's size wants: half of one
+// is the widest search, what the blur and the least disc read added, up to an
+// eighth of the map.
+void check_soft_border(const Run &run, Report &report);
+
 // The same for one of several splits.
 void check_split(const Run &run, const SceneTable &table, int layer,
                  Report &report);

@@ -44,7 +44,7 @@ MipLookup::MipLookup(const Run &run)
     : free_(INFINITY), anisotropy_(run.settings.anisotropy),
       hardware_(run.settings.hardware), radius_(run.settings.radius)
 {
-    if (!run.settings.mips)
+    if (!run.settings.mips || run.settings.soft)
         return;
     footprint_ = load_file(run, "footprint.exr", run.width, run.height, 4);
     for (size_t layer = 0; layer < run.views.size(); layer++)

@@ -17,6 +17,7 @@
 #include "tests/oracle/matrix.h"
 #include "tests/oracle/mip_levels.h"
 #include "tests/oracle/overlap.h"
+#include "tests/oracle/penumbra.h"
 #include "tests/oracle/ray_checks.h"
 #include "tests/oracle/scene_table.h"
 #include "tests/oracle/serve.h"
@@ -39,6 +40,8 @@ static const char *const USAGE =
     "  shading  the picture from positions, normals and visibility\n"
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
+    "  penumbra scene edge, --soft: its width follows the light's size\n"
+    "  umbra    scene bleed, --hybrid: full shadow is black\n"
     "  errors   CSV of visibility against every truth [rays=256] [write=DIR]\n"
     "           [light-size=X], the light's diameter in world units; of a\n"
     "           directional one at a distance of 1, [seams=1] of a cube "
@@ -63,8 +66,10 @@ using Words = std::vector<std::string>;
 static Run load_separable(const std::string &folder)
 {
     Run run = load_run(folder);
-    if (run.settings.poisson || run.settings.adaptive)
-        throw BadInput(folder + ": not for --pattern poisson or --adaptive");
+    const Settings &s = run.settings;
+    if (s.poisson || s.adaptive || s.soft)
+        throw BadInput(folder +
+                       ": not for --pattern poisson, --adaptive or --soft");
     return run;
 }
 
@@ -92,7 +97,8 @@ static void run_stages(const Run &run, Report &report)
     }
     if (run.settings.slope_term)
         run_slopes(run, report);
-    if (run.settings.mips || run.settings.adaptive_box || run.settings.adaptive)
+    bool mips = run.settings.mips && !run.settings.soft;
+    if (mips || run.settings.adaptive_box || run.settings.adaptive)
         check_footprint(run, report);
     check_visibility(run, report);
 }
@@ -103,6 +109,8 @@ static void run_matrices(const Run &run, Report &report)
     check_receiver(run, report);
     for (size_t layer = 0; layer < run.views.size(); layer++)
         check_view(run, table, int(layer), report);
+    if (run.settings.soft)
+        check_soft_border(run, report);
     check_camera(run, table, report);
 }
 
@@ -195,6 +203,10 @@ static void run_check(const std::string &check, const std::string &folder,
         check_lower(run, report);
     } else if (check == "matrix") {
         run_matrices(run, report);
+    } else if (check == "penumbra") {
+        check_penumbra(run, SceneTable(run.scene, run.light), report);
+    } else if (check == "umbra") {
+        check_umbra(run, SceneTable(run.scene, run.light), report);
     } else if (check == "rays") {
         run_rays(run, report);
     } else if (check == "shading") {

@@ -9,6 +9,7 @@
 #include "tests/oracle/pcf_width.h"
 #include "tests/oracle/poisson_disc.h"
 #include "tests/oracle/rounding.h"
+#include "tests/oracle/soft_lookup.h"
 #include "tests/oracle/spread.h"
 #include "tests/oracle/stage.h"
 
@@ -175,6 +176,7 @@ struct Pixel {
     const BoxLookup &boxes;
     const PcfWidth &widths;
     const Formula &formula;
+    const SoftLookup &soft;
 };
 
 } // namespace
@@ -238,6 +240,8 @@ static Interval expected(const Run &run, const Receiver &r, const MapView &view,
     const Picture &map = pixel.maps[size_t(r.layer)];
     if (run.step <= 2)
         return pcf_anyhow(run, r, view, pixel);
+    if (settings.soft)
+        return pixel.soft.visibility(r, pixel.x, pixel.y);
     Moments m = moments(run, r, pixel);
     if (run.step == 5)
         return chebyshev(m, r.t, depth_noise(view, r.position), pixel.formula);
@@ -284,6 +288,7 @@ static void check_hardware(const Run &run, Report &report)
     BoxLookup boxes(run);
     PcfWidth widths(run);
     Formula formula(run);
+    SoftLookup soft(run, formula);
     size_t shown = 0, outside = 0, telling = 0, level_0 = 0;
     double worst = 0;
     for (int layer = 0; layer < int(run.views.size()); layer++)
@@ -291,7 +296,7 @@ static void check_hardware(const Run &run, Report &report)
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            Pixel pixel = {x, y, maps, mips, boxes, widths, formula};
+            Pixel pixel = {x, y, maps, mips, boxes, widths, formula, soft};
             Interval truth = expected_anywhere(run, r, pixel);
             Interval plain = expected_anywhere(finest, r, pixel);
             double distance = truth.distance(r.visibility);
@@ -324,11 +329,13 @@ void for_each_expected(const Run &run, const UseExpected &use)
     BoxLookup boxes(run);
     PcfWidth widths(run);
     Formula formula(run);
+    SoftLookup soft(run, formula);
     for (int y = 0; y < run.height; y++)
         for (int x = 0; x < run.width; x++) {
             Receiver r = receivers.at(x, y);
-            use(r, expected_anywhere(
-                       run, r, {x, y, maps, mips, boxes, widths, formula}));
+            use(r,
+                expected_anywhere(
+                    run, r, {x, y, maps, mips, boxes, widths, formula, soft}));
         }
 }
 
