@@ -8,8 +8,9 @@
 // CSV: quantity, how many values were compared and of how many, the error that
 // is the largest part of its bound, that bound, their ratio, the part that this
 // picture or a search for worse depths reaches (empty: it does not apply), how
-// many values in all files are not finite, and how far p is below the lit share
-// at most. Quantities, all compared with double precision:
+// many values in all files are not finite, and with auto how far p is at most
+// below the exact one, which is at least the lit share. Quantities, all
+// compared with double precision:
 //   receiver    step 1: t of each pixel, from its position
 //   depth       step 1: each texel, against rays
 //   visibility  step 2: each pixel, from its t and the map

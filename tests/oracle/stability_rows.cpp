@@ -14,6 +14,7 @@ extern "C" {
 #include "tests/oracle/footprint.h"
 #include "tests/oracle/light.h"
 #include "tests/oracle/report.h" // BadInput
+#include "tests/oracle/stability_auto.h"
 
 // Wide filters have many texels: fewer windows of them are compared.
 static constexpr double MOST_TEXELS = 2e7;
@@ -123,7 +124,30 @@ namespace
 
 // A pixel's window and what is right for it.
 struct Seen {
-    double p, lit, bound;
+    double p = 0, bound = 0;
+    double least = INFINITY; // p, over what rounding makes of the position
+};
+
+// What looks at pixels one by one.
+struct Eye {
+    const Run &run;
+    Chain chain;
+    MostWithAuto with_auto; // empty: nothing is added
+    std::vector<Picture> maps;
+    std::unique_ptr<Window> window = std::make_unique<Window>();
+
+    explicit Eye(const Run &of) : run(of), chain(chain_of(of))
+    {
+        if (run.settings.auto_variance)
+            with_auto = most_with_auto(run);
+        for (size_t layer = 0; layer < run.views.size(); layer++)
+            maps.push_back(load_map(run, int(layer)));
+    }
+
+    Seen see(const Receiver &r);
+
+  private:
+    double bound(const Receiver &r, const Exact &truth) const;
 };
 
 // The largest error of those whose bound promises nothing.
@@ -133,18 +157,27 @@ struct Open {
 
 } // namespace
 
+// With auto p is not below the exact one.
+double Eye::bound(const Receiver &r, const Exact &truth) const
+{
+    if (!with_auto)
+        return p_bound(&chain, &truth, false);
+    Computed most = computed_most(&chain, &truth);
+    double p = with_auto(r, {most.mean, most.variance, most.m2});
+    return std::max(p - truth.p, 0.0) + LAST_ROUNDINGS;
+}
+
 // Where the lookup falls between texels is right to a rounding of u and v, as
 // an input: that can move p by as much as it moves the exact one.
-static Seen see(const Run &run, const Receiver &r, const Picture &map,
-                bool guarded, Chain &chain, Window &window)
+Seen Eye::see(const Receiver &r)
 {
     const MapView &view = run.views[size_t(r.layer)];
     int f = chain.factor, radius = run.settings.radius;
     int width = view.width / f, height = view.height / f;
     double x = r.u * width - 0.5, y = r.v * height - 0.5;
     Shifts shifts = lookup_shifts(r.u, r.v, width, height);
-    Seen seen{};
-    double least = INFINITY, most = -INFINITY;
+    Seen seen;
+    double most = -INFINITY;
     shifts.x.push_back(0);
     shifts.y.push_back(0); // last: what is kept
     for (double dy : shifts.y)
@@ -152,17 +185,16 @@ static Seen see(const Run &run, const Receiver &r, const Picture &map,
             double left = std::floor(x + dx), low = std::floor(y + dy);
             chain.across = float(x + dx - left);
             chain.up = float(y + dy - low);
-            fill_window(chain, map, (int(left) - radius) * f,
-                        (int(low) - radius) * f, window);
-            window.t = float(r.t);
-            Exact truth = exact(&chain, &window);
+            fill_window(chain, maps[size_t(r.layer)], (int(left) - radius) * f,
+                        (int(low) - radius) * f, *window);
+            window->t = float(r.t);
+            Exact truth = exact(&chain, window.get());
             seen.p = truth.p;
-            seen.lit = truth.lit;
-            seen.bound = std::max(seen.bound, p_bound(&chain, &truth, guarded));
-            least = std::min(least, truth.p);
+            seen.bound = std::max(seen.bound, bound(r, truth));
+            seen.least = std::min(seen.least, truth.p);
             most = std::max(most, truth.p);
         }
-    seen.bound = std::min(seen.bound + (most - least), 1.0);
+    seen.bound = std::min(seen.bound + (most - seen.least), 1.0);
     return seen;
 }
 
@@ -180,42 +212,46 @@ static void reduce(double a, Seen &seen)
     auto reduced = [a](double p) {
         return std::clamp((p - a) / (1 - a), 0., 1.);
     };
+    double own = 8 * ROUNDOFF / (1 - a);
     double p = reduced(seen.p);
     double up = reduced(std::min(seen.p + seen.bound, 1.0)) - p;
     double down = p - reduced(seen.p - seen.bound);
-    seen.bound = std::min(std::max(up, down) + 8 * ROUNDOFF / (1 - a), 1.0);
-    seen.lit = reduced(seen.lit);
+    seen.bound = std::min(std::max(up, down) + own, 1.0);
+    seen.least = reduced(seen.least) - own;
     seen.p = p;
+}
+
+// The bounds are of step 5 without what changes p for the picture's sake.
+static void check_settings(const Settings &s)
+{
+    if (s.smooth || s.variance_bias != 0 ||
+        (!s.auto_variance && s.min_variance != 0))
+        throw BadInput("stability: no bound for such a p");
 }
 
 StabilityRow p_row(const Run &run)
 {
     const Settings &s = run.settings;
-    bool guarded = s.auto_variance;
-    if (s.smooth || s.variance_bias != 0 || (!guarded && s.min_variance != 0))
-        throw BadInput("stability: no bound for such a p");
+    check_settings(s);
     StabilityRow row{"p"};
-    Chain chain = chain_of(run), worst_chain = chain;
+    Eye eye(run);
     Receivers receivers(run);
-    std::vector<Picture> maps;
-    for (size_t layer = 0; layer < run.views.size(); layer++)
-        maps.push_back(load_map(run, int(layer)));
-    auto window = std::make_unique<Window>(),
-         worst = std::make_unique<Window>();
+    Chain worst_chain = eye.chain;
+    auto worst = std::make_unique<Window>();
     Open open;
-    int stride = stride_of(chain, 4.0 * run.width * run.height);
+    size_t capped = 0;
+    int stride = stride_of(eye.chain, 4.0 * run.width * run.height);
     for (int y = 0; y < run.height; y += stride)
         for (int x = 0; x < run.width; x += stride) {
             Receiver r = receivers.at(x, y);
             if (!in_map(run, r))
                 continue;
-            Seen seen =
-                see(run, r, maps[size_t(r.layer)], guarded, chain, *window);
-            if (s.bleed_reduction > 0)
+            Seen seen = eye.see(r);
+            if (s.reduces())
                 reduce(s.bleed_reduction, seen);
             double error = std::abs(r.visibility - seen.p);
-            if (guarded && !s.reduces())
-                row.below = std::max(row.below, seen.lit - r.visibility);
+            if (s.auto_variance)
+                row.below = std::max(row.below, seen.least - r.visibility);
             // In front of the mean p is 1 without any arithmetic: that has to
             // be so, and is not counted.
             if (seen.p == 1 && error <= seen.bound)
@@ -224,16 +260,19 @@ StabilityRow p_row(const Run &run)
             if (seen.bound > NO_PROMISE && error <= seen.bound) {
                 if (error >= open.error)
                     open = {error, seen.bound};
-                continue;
-            }
-            if (row.add(error, seen.bound)) {
-                *worst = *window;
-                worst_chain = chain;
+            } else if (s.auto_variance && seen.p + seen.bound >= 1 &&
+                       error <= seen.bound) {
+                // p can be 1: the error is what was missing of it.
+                capped++;
+            } else if (row.add(error, seen.bound)) {
+                *worst = *eye.window;
+                worst_chain = eye.chain;
             }
         }
+    row.compared += row.compared > 0 ? capped : 0;
     if (row.compared > 0 && !s.reduces())
         row.searched = std::max(
-            row.ratio, search_from(worst_chain, OF_P, guarded, *worst));
+            row.ratio, search_from(worst_chain, OF_P, s.auto_variance, *worst));
     row.open_error = open.error;
     row.open_bound = open.bound;
     return row;

@@ -13,6 +13,8 @@ our @EXPORT_OK = qw(@cases);
 #   step     {n => [options]} more
 #   formats  1: fp16 as well         quick   the steps in `make test`
 #   map, size  in place of the small ones
+#   minimums in place of both kinds of least variance
+#   closed   1: compare with the closed form of scene edge
 #   picture  options of the run whose picture it has to be within 1/255 of
 #   refused  {n => pattern}: exits with one line that matches
 our @cases;
@@ -41,6 +43,7 @@ for my $decade ( 1 .. 6 ) {
         "gap 1e-$decade",
         "edge:gap=1e-$decade",
         formats => 1,
+        closed  => 1,
         quick   => $decade == 2 ? [ 4, 5 ] : [],
     );
 }
@@ -113,11 +116,12 @@ scene_case( 'spot cone 179 degrees', 'lamp:cone=179', map => 1024,
 scene_case( 'point light', 'room' );
 scene_case( 'four splits', 'avenue', options => [qw(--splits 4)] );
 scene_case( 'min variance 0', 'teapot', not => {%ONLY_5},
-    step => { 5 => [qw(--min-variance 0)] }, formats => 1 );
+    minimums => [0], formats => 1 );
 scene_case( 'bleed reduction just under 1', 'teapot', not => {%ONLY_5},
     step => { 5 => [qw(--bleed-reduction 0.9999)] } );
 scene_case( 'bleed reduction 1', 'teapot', not => {%ONLY_5},
-    step    => { 5 => [qw(--bleed-reduction 1)] },
+    step     => { 5 => [qw(--bleed-reduction 1)] },
+    minimums => ['auto'],
     refused => { 5 => qr/--bleed-reduction/ } );
 for ( [ 1, 'not a number' ], [ 2, 'infinite' ] ) {
     my ( $vertex, $what ) = @$_;

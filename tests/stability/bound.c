@@ -193,28 +193,44 @@ static double mean_off(const Errors *e, bool central, const Exact *exact)
            e->deviation * sqrt(exact->variance) + e->tiny_shift;
 }
 
+Computed computed_most(const Chain *chain, const Exact *exact)
+{
+    Errors e = errors_of(chain);
+    Computed most = {.mean = exact->mean + mean_off(&e, chain->central, exact),
+                     .variance = variance_range(&e, chain->central, exact).most,
+                     .m2 = exact->m2 * (1 + e.variance) + e.lerp2 + e.tiny};
+    if (chain->central) {
+        most.m2 = most.variance + most.mean * most.mean;
+    }
+    return most;
+}
+
+// What `auto` makes of the most that was computed.
+static double most_guarded(const Chain *chain, const Exact *exact)
+{
+    Guard guard = guard_of(chain);
+    Computed most = computed_most(chain, exact);
+    double shift = guard.mean * most.mean + guard.tiny_shift;
+    if (chain->central) {
+        shift = guard.mean * rounded_most(most.mean) + guard.tiny_shift +
+                guard.deviation * sqrt(most.variance + guard.tiny);
+    }
+    double variance =
+        guarded_most(&guard, chain->central, most.variance, most.m2);
+    double nearest = exact->behind - (most.mean - exact->mean) - shift;
+    return cantelli(variance + UNDERFLOW, nearest);
+}
+
 double p_bound(const Chain *chain, const Exact *exact, bool guarded)
 {
+    if (guarded) {
+        return fmin(most_guarded(chain, exact) - exact->p + LAST_ROUNDINGS, 1);
+    }
     Errors e = errors_of(chain);
     Range v = variance_range(&e, chain->central, exact);
     double off = mean_off(&e, chain->central, exact);
-    double nearest = exact->behind - off;
-    if (guarded) {
-        // M1^ and M2^ are no larger than these.
-        Guard guard = guard_of(chain);
-        double mean = exact->mean + off;
-        double m2 = v.most + mean * mean;
-        if (chain->central) {
-            nearest -= guard.mean * rounded_most(mean) + guard.tiny_shift +
-                       guard.deviation * sqrt(v.most + guard.tiny);
-        } else {
-            nearest -= guard.mean * mean + guard.tiny_shift;
-            m2 = exact->m2 * (1 + e.variance) + e.lerp2 + e.tiny;
-        }
-        v.most = guarded_most(&guard, chain->central, v.most, m2);
-    }
-    double most = cantelli(v.most + UNDERFLOW, nearest);
-    double least = guarded ? exact->p : cantelli(v.least, exact->behind + off);
+    double most = cantelli(v.most + UNDERFLOW, exact->behind - off);
+    double least = cantelli(v.least, exact->behind + off);
     return fmin(fmax(most - exact->p, exact->p - least) + LAST_ROUNDINGS, 1);
 }
 

@@ -104,6 +104,13 @@ Guard guard_of(const Chain *chain);
 // The most that the computed variance can differ from the exact one.
 double variance_bound(const Chain *chain, const Exact *exact);
 
+// The most that the computed numbers can be.
+typedef struct Computed {
+    double mean, variance, m2;
+} Computed;
+
+Computed computed_most(const Chain *chain, const Exact *exact);
+
 // The most that p can differ from the exact one, in [0, 1], with nothing added
 // or with `auto`.
 double p_bound(const Chain *chain, const Exact *exact, bool guarded);

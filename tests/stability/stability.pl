@@ -43,17 +43,26 @@ sub limit {
     return $limit;
 }
 
-# What is stored, in the steps that store moments: name, format, options.
+# What is stored in the steps that store moments, and step 5's least variance:
+# moments, format, minimum, options.
 sub variants {
     my ( $case, $step ) = @_;
-    return [ '', '' ] if $step < 3;
-    my @formats = $case->{formats} ? qw(fp32 fp16) : qw(fp32);
-    my %option  = ( fp32 => 'rg32f', fp16 => 'rg16f' );
+    return [ '', '', '' ] if $step < 3;
+    my @formats  = $case->{formats} ? qw(fp32 fp16) : qw(fp32);
+    my %format   = ( fp32 => 'rg32f', fp16 => 'rg16f' );
+    my @minimums = $step < 5 ? '' : @{ $case->{minimums} // [qw(auto 0)] };
     my @variants;
     for my $moments (qw(raw central)) {
-        push @variants,
-          map { [ $moments, $_, '--format', $option{$_}, '--moments', $moments ] }
-          @formats;
+        for my $format (@formats) {
+            my @stored = ( '--moments', $moments, '--format', $format{$format} );
+            push @variants,
+              map {
+                [
+                    $moments, $format, $_, @stored,
+                    $_ ne '' ? ( '--min-variance', $_ ) : ()
+                ]
+              } @minimums;
+        }
     }
     return @variants;
 }
@@ -68,13 +77,14 @@ sub jobs {
         $map =~ s/BEYOND/2 * $limit/e;
         for my $step ( $QUICK ? @{ $case->{quick} // [] } : 1 .. 5 ) {
             for my $variant ( variants( $case, $step ) ) {
-                my ( $moments, $format, @stored ) = @$variant;
+                my ( $moments, $format, $minimum, @stored ) = @$variant;
                 push @jobs,
                   {
                     case    => $case,
                     step    => $step,
                     moments => $moments,
                     format  => $format,
+                    minimum => $minimum,
                     options => [
                         '--size',
                         $case->{size} // '160x90',
@@ -82,7 +92,6 @@ sub jobs {
                         $map,
                         @stored,
                         $step == 5 ? qw(--bleed-reduction 0) : (),
-                        $step == 5 ? qw(--min-variance 0) : (),
                         @{ $case->{options} },
                         @{ $case->{step}{$step} // [] },
                     ],
@@ -95,14 +104,12 @@ sub jobs {
 
 sub row_of {
     my ( $job, %more ) = @_;
-    my %options = @{ $job->{options} };
-    my $minimum = $job->{step} == 5 ? $options{'--min-variance'} // 'auto' : '';
     return {
         case    => $job->{case}{name},
         step    => $job->{step},
         moments => $job->{moments},
         format  => $job->{format},
-        minimum => $minimum,
+        minimum => $job->{minimum},
         %more
     };
 }
@@ -155,6 +162,32 @@ sub picture_row {
     );
 }
 
+# Scene edge: the exact visibility is known. Its bound is the widest of all
+# pixels under whose filter both depths are, where it is not above 0.1.
+sub closed_form_row {
+    my ( $job, $dump ) = @_;
+    my $out = ask_oracle( 'edge', $dump )->{out};
+    return row_of( $job, verdict => 'no promise', quantity => 'lit share',
+        note => 'the gap is lost in t itself' )
+      if $out =~ /the gap is lost/;
+    my ( $wrong, $mixed, $worst, $bound, $untested ) =
+      $out =~ /lit \s share: \s (\d+) \s of .*? \( (\d+) \s with .*? worst
+               \s (\S+), \s widest \s bound \s (\S+), \s (\d+) \s untested/x
+      or return fails( $job, $out );
+    return row_of(
+        $job,
+        quantity  => 'lit share',
+        compared  => $mixed,
+        all       => $mixed + $untested,
+        error     => $worst,
+        bound     => $bound,
+        ratio     => $wrong ? 'inf' : $bound > 0 ? $worst / $bound : 0,
+        searched  => '',
+        nonfinite => 0,
+        below     => 0,
+    );
+}
+
 # The rows of one run.
 sub rows_of {
     my ( $job, $dump ) = @_;
@@ -175,6 +208,8 @@ sub rows_of {
     my $answer = ask_oracle( 'stability', $dump );
     return fails( $job, $answer->{out} ) if $answer->{status};
     my @rows = map { row_of( $job, %$_ ) } table( $answer->{out} );
+    push @rows, closed_form_row( $job, $dump )
+      if $case->{closed} && ( $step == 2 || $step == 5 );
     if ( $case->{picture} ) {
         run( $step, @options, @{ $case->{picture} }, '--output',
             "$dump.base.exr" );
@@ -197,7 +232,7 @@ sub judge {
     $row->{verdict} =
         !$holds           ? 'FAILED'
       : $row->{all} == 0  ? 'passed'
-      : $share < $LEAST_SHARE && $row->{quantity} eq 'p' ? 'no promise'
+      : $share < $LEAST_SHARE && $row->{quantity} =~ /^p$|^lit/ ? 'no promise'
       :                                                    'passed';
     $row->{note} = 'nothing is behind its mean' if $row->{all} == 0;
     return;
