@@ -89,6 +89,7 @@ fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stabili
 figures: set-up-tests programs $(BUILD)/oracle ## make every committed picture again
 	@for p in $(PROGRAMS); do \
 	    sh tests/report/figures.sh $(BUILD) $$p || exit 1; done
+	@sh tests/report/headline.sh $(BUILD)
 
 CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
 lint: programs $(BUILD)/oracle ## compile with gcc and clang without a warning, check the format

@@ -13,8 +13,9 @@ use JSON::PP     ();
 use MIME::Base64 qw(encode_base64);
 use VSM;
 use Progress;
+use Workers qw(share_out);
 
-our @EXPORT_OK = qw(measure table quantile);
+our @EXPORT_OK = qw(measure processors table quantile);
 
 my $JSON = JSON::PP->new->canonical;
 
@@ -59,9 +60,12 @@ sub shaders {
     return content( sort map { glob "$_/step*/shaders/*" } @folders );
 }
 
-sub machine {
-    my $cpu = -e '/proc/cpuinfo' ? slurp('/proc/cpuinfo') : '';
-    return join ' ', sort $cpu =~ /^(?:model name)\s*:\s*(.*)$/mg;
+# The processors by their names; one without a name where that is not known.
+sub processors {
+    my $cpu   = -e '/proc/cpuinfo' ? slurp('/proc/cpuinfo') : '';
+    my @names = $cpu =~ /^model name\s*:\s*(.*)$/mg;
+    @names = ('') x $1 if !@names && command('nproc')->{out} =~ /^(\d+)/;
+    return @names ? @names : ('');
 }
 
 # The files in which a point's results are kept.
@@ -76,7 +80,7 @@ sub places {
     return (
         "$folder/kept/errors." . sha1_hex( join "\0", @drawn, @judged ),
         "$folder/kept/times."
-          . sha1_hex( join "\0", @drawn, machine(), $frames )
+          . sha1_hex( join "\0", @drawn, processors(), $frames )
     );
 }
 
@@ -121,8 +125,7 @@ sub answer {
 }
 
 sub errors_of {
-    my ( $point, $folder ) = @_;
-    my $dump = "$folder/dump";
+    my ( $point, $folder, $dump ) = @_;
     remove_tree($dump);
     make_path($dump);
     answer(
@@ -266,10 +269,7 @@ sub measure {
         errors => scalar @unknown,
         times  => scalar map { @{ $_ // [] } } @turns,
     );
-    for my $point (@unknown) {
-        last if $$stopped;
-        measure_errors( $point, $folder, $progress, $stopped );
-    }
+    measure_errors( \@unknown, $folder, $progress, $stopped );
     for my $point ( map { @{ $_ // [] } } @turns ) {
         last if $$stopped;
         measure_times( $point, $mode, $folder, $progress, $stopped );
@@ -279,34 +279,39 @@ sub measure {
     return $reused // 0;
 }
 
+# Several points at a time: errors do not depend on how long they take.
 sub measure_errors {
-    my ( $point, $folder, $progress, $stopped ) = @_;
-    my $found = $progress->task(
-        'errors',
-        "$point->{scene} $point->{label}",
-        sub {
-            attempt( $point, sub { errors_of( $point, $folder ) } );
-        }
-    );
-    remove_tree("$folder/dump");
-    if ($$stopped) { delete $point->{missing}; return }
-    $found or return;
-    $point->{found} = $found;
-    attempt( $point, sub { keep( $point->{kept_errors}, $found ); 1 } );
+    my ( $points, $folder, $progress, $stopped ) = @_;
+    my $work = sub {
+        my ( $point, $slot ) = @_;
+        my $dump  = "$folder/dump.$slot";
+        my $found = eval { errors_of( $point, $folder, $dump ) };
+        my $why   = $@;
+        remove_tree($dump);
+        return $found // die $why;
+    };
+    my $take = sub {
+        my ( $point, $found, $why ) = @_;
+        $progress->done( 'errors', "$point->{scene} $point->{label}" );
+        $point->{missing} = $why if !$found;
+        return                   if !$found;
+        $point->{found} = $found;
+        attempt( $point, sub { keep( $point->{kept_errors}, $found ); 1 } );
+    };
+    $progress->begin('errors');
+    my @processors = processors();
+    share_out( scalar @processors, $points, $work, $take, $stopped );
     return;
 }
 
 sub measure_times {
     my ( $point, $mode, $folder, $progress, $stopped ) = @_;
-    my $times = $progress->task(
-        'times',
-        "$point->{scene} $point->{label}",
-        sub {
-            return if $point->{missing};    # it would fail once more
-            attempt( $point,
-                sub { times_of( $point, $folder, $mode->{frames} ) } );
-        }
-    );
+    $progress->begin('times');
+    my $times;
+    $times =
+      attempt( $point, sub { times_of( $point, $folder, $mode->{frames} ) } )
+      unless $point->{missing};    # it would fail once more
+    $progress->done( 'times', "$point->{scene} $point->{label}" );
     if ($$stopped) { delete $point->{missing}; return }
     $times or return;
     push @{ $point->{timed} }, $times;
@@ -333,7 +338,8 @@ sub finish {
           for qw(map_bytes gl_renderer gl_version butteraugli pictures);
     }
     summarise( $point, @timed ) if @timed;
-    $point->{missing} //= 'not measured: it was broken off'
+    $point->{missing} //=
+      ( $found ? 'no times' : 'not measured' ) . ': it was broken off'
       if !$found || !@timed;
     return;
 }

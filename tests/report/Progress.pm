@@ -12,34 +12,39 @@ use Time::HiRes qw(time);
 # of a kind takes, until some have been done.
 sub new {
     my ( $class, %total ) = @_;
-    my %guess = ( errors => 3, times => 1.5 );
     return bless {
         total => \%total,
         done  => { map { $_ => 0 } keys %total },
-        spent => { map { $_ => 0 } keys %total },
-        guess => \%guess,
+        begun => {},
+        guess => { errors => 2, times => 1 },
         shown => -1,
         live  => -t STDERR,
       },
       $class;
 }
 
-sub left {
-    my ( $self, $kind )  = @_;
-    my ( $done, $spent ) = ( $self->{done}{$kind}, $self->{spent}{$kind} );
-    my $each = $done ? $spent / $done : $self->{guess}{$kind};
-    return $each * ( $self->{total}{$kind} - $done );
+# The first task of a kind begins.
+sub begin {
+    my ( $self, $kind ) = @_;
+    $self->{begun}{$kind} //= time;
+    $self->show($kind);
+    return;
 }
 
-# Runs a task of one kind, and shows it by its name.
-sub task {
-    my ( $self, $kind, $name, $work ) = @_;
-    $self->show("$kind: $name");
-    my $start = time;
-    my $value = $work->();
-    $self->{spent}{$kind} += time - $start;
+# A task of the kind is done; what is still to do is shown with its name.
+sub done {
+    my ( $self, $kind, $name ) = @_;
     $self->{done}{$kind}++;
-    return $value;
+    $self->{took}{$kind} = time - $self->{begun}{$kind};
+    $self->show("$kind: $name");
+    return;
+}
+
+sub left {
+    my ( $self, $kind ) = @_;
+    my $done = $self->{done}{$kind};
+    my $each = $done ? $self->{took}{$kind} / $done : $self->{guess}{$kind};
+    return $each * ( $self->{total}{$kind} - $done );
 }
 
 sub show {

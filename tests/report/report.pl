@@ -23,7 +23,7 @@ use POSIX      qw(strftime);
 use VSM;
 use Columns qw(@COLUMNS csv);
 use Judge   qw(claims mark_front);
-use Measure qw(measure);
+use Measure qw(measure processors);
 use Page    qw(page);
 use Sweep   qw(mode sweep);
 
@@ -50,18 +50,17 @@ sub line_of {
 # What the numbers were measured on.
 sub environment {
     my ( $mode, @points ) = @_;
-    my $cpu     = -e '/proc/cpuinfo' ? slurp('/proc/cpuinfo') : '';
-    my @models  = $cpu =~ /^model name\s*:\s*(.*)$/mg;
-    my ($any)   = grep { $_->{gl_renderer} } @points;
-    my ($clock) = map  { $_->{clock} // () } @points;
+    my @processors = processors();
+    my ($any)      = grep { $_->{gl_renderer} } @points;
+    my ($clock)    = map  { $_->{clock} // () } @points;
     return {
         mode        => $mode->{name},
         picture     => $mode->{size},
         rays        => $mode->{rays},
         date        => strftime( '%Y-%m-%dT%H:%M:%SZ', gmtime ),
         commit      => line_of(qw(git describe --always --dirty --abbrev=12)),
-        cpu         => $models[0] // line_of(qw(uname -m)),
-        cores       => scalar @models || line_of('nproc') || 0,
+        cpu         => $processors[0] || line_of(qw(uname -m)),
+        cores       => scalar @processors,
         system      => line_of(qw(uname -sr)),
         gl_renderer => $any->{gl_renderer} // 'unknown',
         gl_version  => $any->{gl_version}  // 'unknown',

@@ -156,7 +156,7 @@ my $broken = report( 'broken', $breaking );
 is( $broken->{status}, 3, 'broken off: the exit status tells' );
 like(
     $broken->{out},
-    qr/MISSING edge VSM 7: not measured: it was broken off/,
+    qr/MISSING edge VSM 3, edge VSM 7: not measured: it was broken off/,
     'broken off: it says what is missing'
 );
 is(

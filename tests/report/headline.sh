@@ -1,0 +1,26 @@
+#!/bin/sh
+# Makes the root README's diagram, tests/report/headline.png: time and error of
+# PCF and VSM on the default scene, from a quick report of its own.
+# usage: headline.sh BUILD
+set -eu
+out=out/figures/report
+mkdir -p "$out"
+VSM_BUILD=$1 REPORT=quick REPORT_OUT=$out perl tests/report/report.pl \
+    >"$out/report.txt"
+
+# points NAME: width, frame and its quartiles, error, of one technique. No
+# field of these rows holds a comma.
+points() {
+    awk -F, -v name="$1" '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        $at["scene"] == "teapot" && $at["technique"] == name {
+            print $at["width"], $at["total_ms"], $at["total_q1"],
+                $at["total_q3"], $at["footprint_rmse"]
+        }' "$out/results.csv" | sort -n
+}
+for technique in hard PCF VSM; do
+    points "$technique" >"$out/$technique.dat"
+done
+gnuplot -e "folder='$out'; output='tests/report/headline.png'" \
+    tests/report/headline.gp
+echo tests/report/headline.png
