@@ -24,6 +24,7 @@ for my $options (
     [ 3, qw(--scene room --map-size 96 --slope-term --depth projected) ],
     [ 5, qw(--scene avenue --splits 2 --sat) ],
     [ 5, qw(--format rg16f --slope-term) ],
+    [ 5, qw(--format rg16f --moments central) ],
     [ 3, '--map-size', '160x96', '--scene', 'teapot:offset=1000,scale=0.01' ],
   )
 {
@@ -35,7 +36,12 @@ for my $options (
 # Where every surface is perpendicular to the light, a texel of both depths is
 # between them by the share of its samples, and the visibility is the share of
 # the filter's samples that are lit.
-for my $options ( [], [qw(--downsample 2 --blur gaussian)] ) {
+for my $options (
+    [],
+    [qw(--downsample 2 --blur gaussian)],
+    [qw(--moments central)]
+  )
+{
     my $dump = dump_run( 5, @bare, qw(--scene edge --msaa 4), @$options );
     oracle( $_, $dump ) for qw(edge truths);
 }

@@ -277,7 +277,7 @@ our $NOT_MEASURED = [
         'how the price grows with the map shows on teapot'
     ],
     [
-        '--depth projected, --slope-term, --bias',
+        '--depth projected, --slope-term, --msaa, --bias',
         'techniques.md of steps 2 and 3 says what they cure and cost'
     ],
     [
