@@ -32,7 +32,7 @@ oracle( 'stage', dump_run( 5, @projected, @$_ ) )
 sub bleeding {
     my ($depth) = @_;
     my $dump = dump_run( 5, @bare, qw(--scene stage --depth), $depth );
-    my $run = command( root() . '/build/oracle', 'rays', $dump );
+    my $run = ask_oracle( 'rays', $dump );
     my ( $bright, $dark ) =
       $run->{out} =~ /shadowed by rays: (\d+) of (\d+) pixels over/
       or return 0;
@@ -75,7 +75,7 @@ for my $options (
 # little variance, without any filter and minimum. These pixels go black.
 sub too_dark {
     my $dump = dump_run( 5, @bare, qw(--radius 0 --min-variance 0), @_ );
-    my $run = command( root() . '/build/oracle', 'rays', $dump );
+    my $run = ask_oracle( 'rays', $dump );
     my ($dark) = $run->{out} =~ /lit by rays: (\d+) of/;
     return $dark // -1;
 }

@@ -67,7 +67,7 @@ is( map_bytes(qw(--msaa 4)) - map_bytes(),
 # What it is for: the silhouette is where it is, not where texels are.
 sub footprint_error {
     my $dump = dump_run( 5, @bare, qw(--radius 1), @_ );
-    my $run  = command( root() . '/build/oracle', 'errors', $dump, 'rays=64' );
+    my $run  = ask_oracle( 'errors', $dump, 'rays=64' );
     my ($rmse) = $run->{out} =~ /^footprint,\d+,\d+,\d+,([\d.]+)/m;
     return $rmse // 1;
 }

@@ -25,7 +25,7 @@ my @room = qw(--scene room --size 320x180 --map-size 256);
 sub percentiles {
     my ($dump) = @_;
     my @words  = ( 'errors', $dump, 'rays=64', 'seams=1' );
-    my $run    = command( root() . '/build/oracle', @words );
+    my $run    = ask_oracle(@words);
     my %p99;
     for ( split /\n/, $run->{out} ) {
         my ( $name, $pixels, $p99 ) = ( split /,/ )[ 0, 1, 5 ];

@@ -119,9 +119,9 @@ sub error_of {
     my @arguments = qw(--size 320x180 --map-size 512 --scene avenue);
     my $dump =
       dump_run( $step, @arguments, @options, @{ $more{$step} // [] } );
-    my $run = command( root() . '/build/oracle', 'errors', $dump, 'rays=4' );
+    my $run = ask_oracle( 'errors', $dump, 'rays=4' );
     my ($rmse) = $run->{out} =~ /^hard,(?:[^,]*,){3}([^,]+)/m
-      or die "no RMSE against hard shadow: $run->{err}\n";
+      or die "no RMSE against hard shadow: $run->{out}\n";
     return $rmse;
 }
 

@@ -11,7 +11,7 @@ my @bare  = ( @small, qw(--bleed-reduction 0) );
 # The errors of a dump as {truth}{column}; one test that the table is whole.
 sub errors_of {
     my ( $dump, $truths, @arguments ) = @_;
-    my $run = command( root() . '/build/oracle', 'errors', $dump, @arguments );
+    my $run = ask_oracle( 'errors', $dump, @arguments );
     my ( $head, @lines ) = split /\n/, $run->{out};
     my %errors;
     for (@lines) {
