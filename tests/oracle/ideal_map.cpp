@@ -1,8 +1,8 @@
 #include "tests/oracle/ideal_map.h"
 
-#include <cmath> // abs, isinf
+#include <algorithm> // min
+#include <cmath>     // abs, isinf
 
-#include "tests/oracle/parallel.h"
 #include "tests/oracle/projection.h"
 #include "tests/oracle/ray_checks.h" // map_ray
 
@@ -30,30 +30,42 @@ static bool bends(double middle, const std::array<double, 4> &around)
     return !flat && !empty;
 }
 
+static int blocks_along(int width, int block)
+{
+    return (width + block - 1) / block;
+}
+
 IdealMap::IdealMap(const MapView &view, const RayScene &rays,
                    const glm::dvec2 &place)
-    : place_(place), width_(view.width), height_(view.height),
-      depths_(size_t(view.width) * size_t(view.height))
+    : view_(&view), rays_(&rays), place_(place), width_(view.width),
+      height_(view.height),
+      blocks_(new Block[size_t(blocks_along(width_, BLOCK)) * size_t(height_)])
 {
-    std::vector<std::vector<std::pair<size_t, std::array<double, 4>>>> found(
-        static_cast<size_t>(height_));
-    parallel_rows(height_, [&](int y) {
-        for (int x = 0; x < width_; x++) {
-            std::array<double, 4> around;
-            auto depth = [&](double dx, double dy) {
-                return depth_at(view, rays, (x + place.x + dx) / width_,
-                                (y + place.y + dy) / height_);
-            };
-            for (size_t k = 0; k < 4; k++)
-                around[k] = depth(SNAP * SNAP_X[k], SNAP * SNAP_Y[k]);
-            size_t index = size_t(y) * size_t(width_) + size_t(x);
-            depths_[index] = depth(0, 0);
-            if (bends(depths_[index], around))
-                found[size_t(y)].emplace_back(index, around);
-        }
-    });
-    for (const auto &row : found)
-        outline_.insert(row.begin(), row.end());
+}
+
+const IdealMap::Block &IdealMap::block(int x, int y) const
+{
+    int column = x / BLOCK;
+    Block &found = blocks_[size_t(y) * size_t(blocks_along(width_, BLOCK)) +
+                           size_t(column)];
+    std::call_once(found.cast, [&] { cast(found, column * BLOCK, y); });
+    return found;
+}
+
+void IdealMap::cast(Block &block, int first, int y) const
+{
+    for (int x = first; x < std::min(first + BLOCK, width_); x++) {
+        std::array<double, 4> around;
+        auto depth = [&](double dx, double dy) {
+            return depth_at(*view_, *rays_, (x + place_.x + dx) / width_,
+                            (y + place_.y + dy) / height_);
+        };
+        for (size_t k = 0; k < 4; k++)
+            around[k] = depth(SNAP * SNAP_X[k], SNAP * SNAP_Y[k]);
+        block.depths[x - first] = depth(0, 0);
+        if (bends(block.depths[x - first], around))
+            block.outline.emplace(x, around);
+    }
 }
 
 glm::dvec3 normal_towards(const Triangle &triangle, const glm::dvec3 &direction)

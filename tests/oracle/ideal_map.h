@@ -4,13 +4,16 @@
 
 #include <glm/glm.hpp>
 #include <array>
+#include <memory> // unique_ptr
+#include <mutex>  // once_flag
 #include <unordered_map>
-#include <vector>
 
 #include "tests/oracle/dump.h"
 #include "tests/oracle/rays.h"
 
-// Ray cast depths at one place in every texel of a layer, in double.
+// Ray cast depths at one place in every texel of a layer, in double. Cast when
+// they are first asked for, a block of texels at a time: most of a cube's map
+// is seen by nobody. Any number of threads may ask; `rays` has to stay.
 class IdealMap
 {
   public:
@@ -20,8 +23,7 @@ class IdealMap
     // t; infinite outside the map and where there is nothing up to far.
     double at(int x, int y) const
     {
-        return holds(x, y) ? depths_[size_t(y) * size_t(width_) + size_t(x)]
-                           : INFINITY;
+        return holds(x, y) ? block(x, y).depths[x % BLOCK] : INFINITY;
     }
     bool holds(int x, int y) const
     {
@@ -33,8 +35,11 @@ class IdealMap
     // may hold either of two surfaces.
     const std::array<double, 4> *around(int x, int y) const
     {
-        auto found = outline_.find(size_t(y) * size_t(width_) + size_t(x));
-        return found == outline_.end() ? nullptr : &found->second;
+        if (!holds(x, y))
+            return nullptr;
+        const auto &outline = block(x, y).outline;
+        auto found = outline.find(x);
+        return found == outline.end() ? nullptr : &found->second;
     }
     static constexpr double SNAP = 1.0 / 256;
     static constexpr int SNAP_X[4] = {-1, 1, 0, 0}, SNAP_Y[4] = {0, 0, -1, 1};
@@ -53,10 +58,22 @@ class IdealMap
     }
 
   private:
+    static constexpr int BLOCK = 16; // texels along a row
+
+    struct Block {
+        std::once_flag cast;
+        double depths[BLOCK];
+        std::unordered_map<int, std::array<double, 4>> outline; // by x
+    };
+
+    const Block &block(int x, int y) const;
+    void cast(Block &block, int first, int y) const;
+
+    const MapView *view_;
+    const RayScene *rays_;
     glm::dvec2 place_;
     int width_, height_;
-    std::vector<double> depths_;
-    std::unordered_map<size_t, std::array<double, 4>> outline_;
+    std::unique_ptr<Block[]> blocks_; // by row
 };
 
 // The triangle's unit normal on the side of `direction`.

@@ -96,8 +96,11 @@ static Truth texels_in_reach(const Compared &compared, int reach)
     int centre_y = int(std::floor(compared.receiver.v * map.height()));
     TexelSays says;
     for (int y = centre_y - reach; y <= centre_y + reach; y++)
-        for (int x = centre_x - reach; x <= centre_x + reach; x++)
+        for (int x = centre_x - reach; x <= centre_x + reach; x++) {
             compared.add_texel(x, y, says);
+            if (!says.lit && !says.shadowed)
+                return Truth::APART;
+        }
     if (says.lit)
         return Truth::LIT;
     return says.shadowed ? Truth::SHADOWED : Truth::APART;
