@@ -526,16 +526,41 @@ sub first_failure {
     die "the mutant does not run: $folder\n";
 }
 
-my @names = @ARGV ? @ARGV : sort keys %mutants;
-my ( $caught, $survived ) = ( 0, 0 );
-for my $name (@names) {
-    my $mutant = $mutants{$name} or die "there is no mutant '$name'\n";
-    my ( $test, @change ) = @$mutant;
-    my $failure = first_failure( $test, plant(@change) );
-    if ( defined $failure ) { $caught++ }
-    else                    { $survived++ }
-    printf "%-8s %s: %s.t, %s\n", $failure ? 'caught' : 'SURVIVED',
-      $name, $test, $failure // 'no test failed';
+# Judges these mutants, a line each.
+sub judge {
+    for my $name (@_) {
+        my ( $test, @change ) = @{ $mutants{$name} };
+        my $failure = first_failure( $test, plant(@change) );
+        printf "%-8s %s: %s.t, %s\n",
+          defined $failure ? 'caught' : 'SURVIVED', $name, $test,
+          $failure // 'no test failed';
+    }
+    return;
 }
-print "$caught caught, $survived survived\n";
-exit( $survived ? 1 : 0 );
+
+my @names = @ARGV ? @ARGV : sort keys %mutants;
+$mutants{$_} or die "there is no mutant '$_'\n" for @names;
+
+# Two workers, every other mutant each.
+$| = 1;
+my %lines;
+my @workers;
+for my $first ( 0, 1 ) {
+    my $child = open my $lines, '-|';
+    defined $child or die "cannot fork: $!\n";
+    if ( !$child ) {
+        judge( @names[ grep { $_ % 2 == $first } 0 .. $#names ] );
+        print "done\n";
+        exit 0;
+    }
+    push @workers, $lines;
+}
+for my $lines (@workers) {
+    while ( my $line = <$lines> ) {
+        $lines{ $line =~ /^(\w+)/ ? $1 : '' }++;
+        print $line if $line ne "done\n";
+    }
+}
+printf "%d caught, %d survived\n", map { $lines{$_} // 0 } qw(caught SURVIVED);
+( $lines{done} // 0 ) == 2 or die "not every mutant was judged\n";
+exit( $lines{SURVIVED} ? 1 : 0 );
