@@ -36,7 +36,7 @@ static struct {
 static void read_settings(int argc, char **argv)
 {
     state.base = base_settings("step5_chebyshev", moments_shows);
-    state.moments = moments_settings();
+    state.moments = shading_moments_settings();
     state.blur = blur_settings();
     state.chebyshev = chebyshev_settings();
     state.shading =

@@ -50,8 +50,7 @@ const Option shading_options[] = {
     {0},
 };
 
-ShadingSettings shading_settings(const MomentsSettings *moments,
-                                 BlurSettings *blur,
+ShadingSettings shading_settings(MomentsSettings *moments, BlurSettings *blur,
                                  const ChebyshevSettings *chebyshev)
 {
     return (ShadingSettings){
@@ -60,6 +59,13 @@ ShadingSettings shading_settings(const MomentsSettings *moments,
         .chebyshev = chebyshev,
         .sat_width = "fixed",
         .softness = {.light_size = 0.05, .penumbra_scale = 1}};
+}
+
+MomentsSettings shading_moments_settings(void)
+{
+    MomentsSettings settings = moments_settings();
+    settings.moments = "central";
+    return settings;
 }
 
 static void check_soft(const BlurSettings *blur, const OptionTable tables[])
@@ -125,6 +131,10 @@ void shading_check(const ShadingSettings *settings, const BaseSettings *base,
     }
     if (settings->hybrid) {
         check_hybrid(settings, tables);
+    }
+    bool sums = blur->sat || blur_uses_hardware(blur);
+    if (sums && !options_given(tables, "moments")) {
+        settings->moments->moments = "raw";
     }
     blur_settings_check(blur, settings->moments, base->map_size, tables);
     if (options_given(tables, "sat-width") && !blur->sat) {

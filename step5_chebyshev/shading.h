@@ -10,7 +10,7 @@
 #include "step5_chebyshev/soft.h"            // SoftSettings
 
 typedef struct ShadingSettings {
-    const MomentsSettings *moments; // of the stages before
+    MomentsSettings *moments; // of the stages before
     BlurSettings *blur;
     const ChebyshevSettings *chebyshev;
     bool deferred;         // what each pixel shows first, then its light
@@ -24,13 +24,17 @@ typedef struct ShadingSettings {
 extern const Option shading_options[];
 
 // Keeps the pointers.
-ShadingSettings shading_settings(const MomentsSettings *moments,
-                                 BlurSettings *blur,
+ShadingSettings shading_settings(MomentsSettings *moments, BlurSettings *blur,
                                  const ChebyshevSettings *chebyshev);
 
-// Chooses the filter that soft shadows need: mip-maps, of moments that are not
-// blurred unless a blur was asked for. Then refuses (status 2) what
-// blur_settings_check does, and what contradicts that filter.
+// The defaults of step 3, but for central moments: only their rounding is so
+// small that what is added against it leaves a shadow dark.
+MomentsSettings shading_moments_settings(void);
+
+// Chooses what the filter needs. Soft shadows: mip-maps, of moments that are
+// not blurred unless a blur was asked for. A filter that takes sums or means of
+// whatever a texel holds: raw moments, unless --moments was given. Then refuses
+// (status 2) what blur_settings_check does, and what contradicts that filter.
 void shading_check(const ShadingSettings *settings, const BaseSettings *base,
                    const OptionTable tables[]);
 

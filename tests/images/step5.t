@@ -51,7 +51,7 @@ for my $options (
 same_files(
     'step 5 filters as step 4',
     dump_run( 4, @small ),
-    dump_run( 5, @small ),
+    dump_run( 5, @small, qw(--moments raw) ),
     qw(moments.0 blurred.0)
 );
 

@@ -22,7 +22,7 @@ using Maps = std::vector<std::vector<Picture>>; // by layer, their samples
 struct Seen {
     double lit = 0;        // weight of those at or behind the receiver
     double m1 = 0, m2 = 0; // exact, of the samples' own depths
-    double variance = 0;   // and of those about m1
+    double variance = 0;   // and of those about m1; with auto not needed
     double farthest = 0;   // the largest depth with a weight
 };
 
@@ -58,15 +58,24 @@ static Seen seen(const std::vector<Picture> &samples, const Footprint &across,
                 sum.farthest = std::max(sum.farthest, weight > 0 ? x : 0);
             }
         }
+    return sum;
+}
+
+// About m1: nothing cancels.
+static double variance_seen(const std::vector<Picture> &samples,
+                            const Footprint &across, const Footprint &up,
+                            double m1)
+{
+    double variance = 0, share = 1 / double(samples.size());
     for (size_t j = 0; j < up.weights.size(); j++)
         for (size_t i = 0; i < across.weights.size(); i++) {
             double weight = share * across.weights[i] * up.weights[j];
             for (const Picture &map : samples) {
                 double x = texel(map, across.first + int(i), up.first + int(j));
-                sum.variance += weight * (x - sum.m1) * (x - sum.m1);
+                variance += weight * (x - m1) * (x - m1);
             }
         }
-    return sum;
+    return variance;
 }
 
 // How far rounding can pull p below what exact arithmetic gives, and exact
@@ -145,6 +154,8 @@ static Least least_of(const Run &run, const Receiver &r, const Maps &maps,
         for (double dx : shifts.x) {
             Footprint across = lookup_footprint(r.u, dx, view.width, settings);
             Seen s = seen(map, across, up, r.t);
+            if (!settings.auto_variance)
+                s.variance = variance_seen(map, across, up, s.m1);
             double rounding = bound(run, s, r.t, formula);
             least = std::min(least, s.lit - rounding);
             lit = std::min(lit, s.lit);
