@@ -4,7 +4,8 @@
 #include <stdlib.h> // free
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // allocate
+#include "step1_shadowmap/base/die.h" // allocate, die_usage
+#include "step4_blur/running_box.h"   // running_box_apply
 
 static BlurTarget create_target(Blur *blur, GLenum format)
 {
@@ -22,7 +23,7 @@ static BlurTarget create_target(Blur *blur, GLenum format)
 
 static double kernel_weight(const char *name, int radius, int offset)
 {
-    double weight = 1; // box
+    double weight = 1; // box, and each of several boxes
     if (strcmp(name, "gaussian") == 0) {
         double deviation = radius / 3.0;
         weight = exp(-0.5 * offset * offset / (deviation * deviation));
@@ -35,14 +36,14 @@ static double kernel_weight(const char *name, int radius, int offset)
     return weight;
 }
 
-void blur_weights(const char *name, int radius, float weights[])
+void blur_weights(const char *name, const int sides[2], float weights[])
 {
     double sum = 0;
-    for (int i = -radius; i <= radius; i++) {
-        sum += kernel_weight(name, radius, i);
+    for (int i = -sides[0]; i <= sides[1]; i++) {
+        sum += kernel_weight(name, sides[0], i);
     }
-    for (int i = -radius; i <= radius; i++) {
-        weights[i + radius] = (float)(kernel_weight(name, radius, i) / sum);
+    for (int i = -sides[0]; i <= sides[1]; i++) {
+        weights[i + sides[0]] = (float)(kernel_weight(name, sides[0], i) / sum);
     }
 }
 
@@ -57,16 +58,48 @@ static Program merge_program(ShaderFiles files, const MomentsSettings *moments,
     return gl_program(files, vertex, fragment);
 }
 
-static GLuint create_weights(const BlurSettings *settings)
+static GLuint create_weights(const BlurSettings *settings, const int sides[2])
 {
-    int width = 2 * settings->radius + 1;
+    int width = sides[0] + 1 + sides[1];
     float *weights = allocate((size_t)width, sizeof *weights);
-    blur_weights(settings->kernel, settings->radius, weights);
+    blur_weights(settings->kernel, sides, weights);
     GLuint texture = gl_texture(GL_R32F, width, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, 1, GL_RED, GL_FLOAT,
                     weights);
     free(weights);
     return texture;
+}
+
+// Up to this radius fragments add a box up sooner (measured).
+enum { FRAGMENTS_RADIUS = 1 };
+
+// Whether running boxes are to blur, and can.
+static bool runs(const BlurSettings *settings, const MomentsSettings *moments)
+{
+    if (strcmp(settings->by, "compute") == 0 && !gl_has_compute()) {
+        die_usage("--blur-by compute needs OpenGL 4.3, and this driver has no "
+                  "compute shaders: drop --blur-by");
+    }
+    if (strcmp(settings->by, "auto") != 0) {
+        return strcmp(settings->by, "compute") == 0;
+    }
+    return gl_has_compute() && blur_can_run(settings, moments) &&
+           blur_used_radius(settings) > FRAGMENTS_RADIUS;
+}
+
+static void create_filters(Blur *blur, ShaderFiles files,
+                           const BlurSettings *settings,
+                           const MomentsSettings *moments)
+{
+    blur->filter_count = blur_filters(settings, blur->filters);
+    blur->running = runs(settings, moments);
+    blur->blur_program =
+        blur->running
+            ? running_box_program(files, moments)
+            : merge_program(files, moments, "step4_blur/shaders/blur.frag");
+    for (int i = 0; i < blur->filter_count && !blur->running; i++) {
+        blur->weights[i] = create_weights(settings, blur->filters[i].sides);
+    }
 }
 
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
@@ -89,9 +122,7 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
         blur.small = create_target(&blur, map->format);
     }
     if (blur.radius > 0) {
-        blur.blur_program =
-            merge_program(files, moments, "step4_blur/shaders/blur.frag");
-        blur.weights = create_weights(settings);
+        create_filters(&blur, files, settings, moments);
         blur.horizontal = create_target(&blur, map->format);
         blur.vertical = create_target(&blur, map->format);
     }
@@ -135,19 +166,37 @@ static void downsample(const Blur *blur, GLuint source)
     draw_layers(blur, program, source, &blur->small);
 }
 
-static void blur_axes(const Blur *blur, GLuint source)
+static void blur_along(const Blur *blur, int axis, int filter, GLuint source,
+                       const BlurTarget *target)
 {
     GLuint program = blur->blur_program.id;
-    GLint axis = glGetUniformLocation(program, "axis");
+    const int *sides = blur->filters[filter].sides;
+    if (blur->running) {
+        const int size[2] = {blur->width, blur->height};
+        running_box_apply(program, source, target->texture, size, blur->layers,
+                          axis, sides);
+        return;
+    }
     glUseProgram(program);
-    glUniform1i(glGetUniformLocation(program, "radius"), blur->radius);
+    glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
+    glUniform2i(glGetUniformLocation(program, "sides"), sides[0], sides[1]);
     glUniform1i(glGetUniformLocation(program, "weights"), 1);
     glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, blur->weights);
-    glUniform2i(axis, 1, 0);
-    draw_layers(blur, program, source, &blur->horizontal);
-    glUniform2i(axis, 0, 1);
-    draw_layers(blur, program, blur->horizontal.texture, &blur->vertical);
+    glBindTexture(GL_TEXTURE_2D, blur->weights[filter]);
+    draw_layers(blur, program, source, target);
+}
+
+// All filters along u, then all along v: an even number, between two targets.
+static GLuint blur_axes(const Blur *blur, GLuint source)
+{
+    const BlurTarget *targets[] = {&blur->horizontal, &blur->vertical};
+    int count = blur->filter_count;
+    for (int i = 0; i < 2 * count; i++) {
+        const BlurTarget *target = targets[i % 2];
+        blur_along(blur, i / count, i % count, source, target);
+        source = target->texture;
+    }
+    return source;
 }
 
 GLuint blur_apply(const Blur *blur, const MomentsMap *moments)
@@ -160,8 +209,7 @@ GLuint blur_apply(const Blur *blur, const MomentsMap *moments)
         result = blur->small.texture;
     }
     if (blur->radius > 0) {
-        blur_axes(blur, result);
-        result = blur->vertical.texture;
+        result = blur_axes(blur, result);
     }
     if (blur->mips.levels > 0) {
         mips_apply(&blur->mips, result, blur->empty_vao);
@@ -193,7 +241,7 @@ void blur_destroy(Blur *blur)
     destroy_target(blur, &blur->vertical);
     destroy_target(blur, &blur->horizontal);
     destroy_target(blur, &blur->small);
-    glDeleteTextures(1, &blur->weights);
+    glDeleteTextures(BLUR_MAX_FILTERS, blur->weights);
     gl_program_destroy(&blur->blur_program);
     gl_program_destroy(&blur->downsample_program);
     glDeleteVertexArrays(1, &blur->empty_vao);

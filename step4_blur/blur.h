@@ -7,9 +7,12 @@
 #include "step4_blur/mips.h"              // Mips
 #include "step4_blur/sat.h"               // Sat
 
+enum { BLUR_MAX_FILTERS = 3 };
+
 typedef struct BlurSettings {
-    const char *kernel;  // none, box, gaussian or binomial
+    const char *kernel;  // none, box, boxes, gaussian or binomial
     int radius;          // texels of the downsampled map
+    const char *by;      // what blurs: auto, compute or fragments
     int downsample;      // factor along each axis
     bool mips;           // a mip-map chain of the result
     int anisotropy;      // most lookups for one pixel; with mips
@@ -22,14 +25,30 @@ extern const Option blur_options[];
 
 BlurSettings blur_settings(void);
 
-// The weights of the kernel along one axis, 2 radius + 1 of them, which add up
-// to 1 up to rounding. `name` is box (all equal), gaussian (standard deviation
-// radius / 3, cut at the radius) or binomial (row 2 radius of Pascal's
-// triangle; for radius 3 it is 1 6 15 20 15 6 1, over 64).
-void blur_weights(const char *name, int radius, float weights[]);
+// The weights of the kernel along one axis, one for each texel that it holds,
+// which add up to 1 up to rounding. `name` is box or one of several boxes (all
+// equal), gaussian (standard deviation radius / 3, cut at the radius) or
+// binomial (row 2 radius of Pascal's triangle; for radius 3 it is 1 6 15 20 15
+// 6 1, over 64).
+void blur_weights(const char *name, const int sides[2], float weights[]);
 
 // The radius of the kernel, 0 where there is none.
 int blur_used_radius(const BlurSettings *settings);
+
+// One of the filters that run one after the other along an axis: how many
+// texels it holds before and after the one in its middle.
+typedef struct BlurSides {
+    int sides[2];
+} BlurSides;
+
+// How many there are, and which: one, the radius to both sides; of boxes
+// three. These are as alike as can be, and hold 2 radius + 3 texels together,
+// so that all three reach as far as the radius.
+int blur_filters(const BlurSettings *settings,
+                 BlurSides filters[BLUR_MAX_FILTERS]);
+
+// Whether running boxes can blur with these settings.
+bool blur_can_run(const BlurSettings *settings, const MomentsSettings *moments);
 
 // Whether the texture unit chooses and blends the levels.
 bool blur_uses_hardware(const BlurSettings *settings);
@@ -52,12 +71,15 @@ typedef struct BlurTarget {
 
 typedef struct Blur {
     Program downsample_program; // none where there is no small map
-    Program blur_program;       // none where the radius is 0
-    GLuint weights;             // 1D kernel, 2 radius + 1 texels
+    Program blur_program;       // none where the radius is 0; fragments, or
+    bool running;               // running boxes in a compute shader
+    BlurSides filters[BLUR_MAX_FILTERS];
+    GLuint weights[BLUR_MAX_FILTERS]; // a row of texels; none for running ones
+    int filter_count;
     GLuint empty_vao;
     BlurTarget small;      // downsampled; with mips alone: copied
-    BlurTarget horizontal; // blurred along u
-    BlurTarget vertical;   // then along v
+    BlurTarget horizontal; // blurred along u; with boxes taking turns
+    BlurTarget vertical;   // then along v; the last one
     Mips mips;             // of the texture that blur_apply returns
     Sat sat;               // in place of the blur
     int factor, radius;

@@ -11,8 +11,9 @@ const Option blur_options[] = {
     {.name = "blur",
      .kind = OPTION_CHOICE,
      .offset = offsetof(BlurSettings, kernel),
-     .choices = "none,box,gaussian,binomial",
-     .help = "the filter's kernel; the binomial one is 7 texels wide"},
+     .choices = "none,box,boxes,gaussian,binomial",
+     .help = "the filter's kernel; boxes: three boxes in a row; the binomial "
+             "one is 7 texels wide"},
     {.name = "radius",
      .kind = OPTION_INTEGER,
      .offset = offsetof(BlurSettings, radius),
@@ -20,6 +21,13 @@ const Option blur_options[] = {
      .maximum = 1024,
      .argument = "N",
      .help = "the filter is 2 N + 1 texels wide, of the map it runs on"},
+    {.name = "blur-by",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BlurSettings, by),
+     .choices = "auto,compute,fragments",
+     .help = "what blurs: running boxes in compute shaders, whose time does "
+             "not grow with the radius, where the driver has them, or "
+             "fragments"},
     {.name = "downsample",
      .kind = OPTION_INTEGER,
      .offset = offsetof(BlurSettings, downsample),
@@ -63,6 +71,7 @@ BlurSettings blur_settings(void)
 {
     return (BlurSettings){.kernel = "box",
                           .radius = 3,
+                          .by = "auto",
                           .downsample = 1,
                           .anisotropy = 1,
                           .sampler = "explicit",
@@ -77,6 +86,43 @@ bool blur_uses_hardware(const BlurSettings *settings)
 int blur_used_radius(const BlurSettings *settings)
 {
     return strcmp(settings->kernel, "none") == 0 ? 0 : settings->radius;
+}
+
+// A box of an even width has its middle half a texel from a texel's: two of
+// them, one to each side, make up for it. The first box is of odd width.
+static int three_boxes(int radius, BlurSides filters[BLUR_MAX_FILTERS])
+{
+    int odd = (radius + 1) / 3; // to each side; the others share what is left
+    int left = radius - odd;
+    int count = 0;
+    if (odd > 0) {
+        filters[count++] = (BlurSides){{odd, odd}};
+    }
+    filters[count++] = (BlurSides){{left / 2, left - left / 2}};
+    filters[count++] = (BlurSides){{left - left / 2, left / 2}};
+    return count;
+}
+
+int blur_filters(const BlurSettings *settings,
+                 BlurSides filters[BLUR_MAX_FILTERS])
+{
+    int radius = blur_used_radius(settings);
+    if (radius == 0) {
+        return 0;
+    }
+    if (strcmp(settings->kernel, "boxes") == 0) {
+        return three_boxes(radius, filters);
+    }
+    filters[0] = (BlurSides){{radius, radius}};
+    return 1;
+}
+
+// Boxes can be summed as they move; 16-bit floats cannot keep sums.
+bool blur_can_run(const BlurSettings *settings, const MomentsSettings *moments)
+{
+    bool boxes = strcmp(settings->kernel, "box") == 0 ||
+                 strcmp(settings->kernel, "boxes") == 0;
+    return boxes && moments_format(moments) == GL_RG32F;
 }
 
 // What says how the map is looked up.
@@ -109,6 +155,23 @@ static void check_lookup(const BlurSettings *settings, const int map_size[2],
         die_usage("--mips cannot halve a map of %dx%d texels: give an even "
                   "--map-size or drop --mips",
                   width, height);
+    }
+}
+
+static void check_compute(const BlurSettings *settings,
+                          const MomentsSettings *moments,
+                          const OptionTable tables[])
+{
+    if (settings->sat && options_given(tables, "blur-by")) {
+        die_usage("--blur-by %s says what blurs, and --sat averages in place "
+                  "of a blur: drop one of them",
+                  settings->by);
+    }
+    if (strcmp(settings->by, "compute") == 0 &&
+        !blur_can_run(settings, moments)) {
+        die_usage("--blur-by compute moves boxes of 32-bit floats, not --blur "
+                  "%s of --format %s: drop one of them",
+                  settings->kernel, moments->format);
     }
 }
 
@@ -155,6 +218,7 @@ void blur_settings_check(const BlurSettings *settings,
         }
     }
     check_lookup(settings, map_size, tables);
+    check_compute(settings, moments, tables);
     check_moments(settings, moments);
 }
 

@@ -66,7 +66,7 @@ typedef struct GuardPass {
     bool two;        // of two: raw a + w (b - a), central merge_two()
 } GuardPass;
 
-enum { GUARD_MAX_PASSES = 24 };
+enum { GUARD_MAX_PASSES = 32 };
 
 // Everything between the depths that a map holds and the bound.
 typedef struct GuardChain {

@@ -5,20 +5,30 @@
 
 #include "step1_shadowmap/base/die.h" // allocate
 
-// Both axes of the blur. Its weights are rounded, each by a part of itself: so
-// is their sum.
+// One filter of the blur. Its weights are rounded, each by a part of itself: so
+// is their sum. Running boxes round no more often: a term meets as many
+// additions, and the division in place of the weight.
+static void add_filter(GuardChain *chain, const char *kernel,
+                       const int sides[2])
+{
+    int taps = sides[0] + 1 + sides[1];
+    float *weights = allocate((size_t)taps, sizeof *weights);
+    blur_weights(kernel, sides, weights);
+    guard_add(chain, (GuardPass){.taps = taps,
+                                 .heaviest = (double)weights[sides[0]],
+                                 .defect = 0x1p-24,
+                                 .stored = true});
+    free(weights);
+}
+
+// Both axes of the blur.
 static void add_blur(GuardChain *chain, const BlurSettings *settings)
 {
-    int taps = 2 * blur_used_radius(settings) + 1;
-    float *weights = allocate((size_t)taps, sizeof *weights);
-    blur_weights(settings->kernel, settings->radius, weights);
-    GuardPass pass = {.taps = taps,
-                      .heaviest = (double)weights[taps / 2],
-                      .defect = 0x1p-24,
-                      .stored = true};
-    free(weights);
-    guard_add(chain, pass);
-    guard_add(chain, pass);
+    BlurSides filters[BLUR_MAX_FILTERS];
+    int count = blur_filters(settings, filters);
+    for (int i = 0; i < 2 * count; i++) {
+        add_filter(chain, settings->kernel, filters[i % count].sides);
+    }
 }
 
 // The coarsest level, for which there are the most passes; then between two
@@ -57,9 +67,7 @@ GuardNumbers guard_of_settings(const MomentsSettings *moments,
         chain.table_error = 0.5 / filter->sat.steps + 24 * 0x1p-24;
         return guard_numbers(&chain);
     }
-    if (filter->radius > 0) {
-        add_blur(&chain, settings);
-    }
+    add_blur(&chain, settings);
     if (settings->mips) {
         add_levels(&chain, filter, lookups);
     } else {

@@ -410,6 +410,22 @@ my %mutants = (
         'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
+    'a running box that misses its own block' => [
+        'boxes', 'step4_blur/shaders/running_box.comp',
+        'merge_add_sums(box', '// merge_add_sums(box'
+    ],
+    'a block that begins one texel late' => [
+        'boxes', 'step4_blur/shaders/running_box.comp',
+        'line_texel(start - i)', 'line_texel(start - i - 1)'
+    ],
+    'a running box about a depth that it does not hold' => [
+        'boxes', 'step4_blur/shaders/running_box.comp',
+        'vec2 first = line_texel(start)', 'vec2 first = vec2(0.0)'
+    ],
+    'even boxes that lean to the same side' => [
+        'boxes', 'step4_blur/shaders/blur.frag',
+        'int i = -sides.x; i <= sides.y', 'int i = -max(sides.x, sides.y); i <= min(sides.x, sides.y)'
+    ],
     'a table summed along one axis' => [
         'prefilters', 'step4_blur/shaders/sat_sum.frag',
         'stride * axis', 'stride * ivec2(axis.x, 0)'

@@ -58,3 +58,15 @@ vec2 merge_end(Merge merge, float weights)
     float variance = merge.square / weights - shift * shift;
     return vec2(merge.about + shift, max(variance, 0.0));
 }
+
+// What has been added so far, to be added to others about the same depth.
+vec2 merge_sums(Merge merge)
+{
+    return vec2(merge.shift, merge.square);
+}
+
+void merge_add_sums(inout Merge merge, vec2 sums)
+{
+    merge.shift += sums.x;
+    merge.square += sums.y;
+}

@@ -41,3 +41,14 @@ vec2 merge_end(Merge merge, float weights)
 {
     return merge.sum / weights;
 }
+
+// What has been added so far, to be added to others.
+vec2 merge_sums(Merge merge)
+{
+    return merge.sum;
+}
+
+void merge_add_sums(inout Merge merge, vec2 sums)
+{
+    merge.sum += sums;
+}

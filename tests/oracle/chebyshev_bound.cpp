@@ -3,6 +3,7 @@
 #include <algorithm> // clamp, max, min
 #include <cmath>     // exp2, floor, log2, pow, sqrt
 
+#include "tests/oracle/footprint.h" // blur_filters
 #include "tests/oracle/rounding.h"
 
 double depth_noise(const MapView &view, const glm::dvec3 &position)
@@ -164,17 +165,19 @@ double chebyshev_exact(double m1, double variance, double t, double noise,
     return settings.smooth ? smooth_step(s) : s;
 }
 
-// How often the filter stores: the downsampled map, and one pass per axis.
+// How often the filter stores: the downsampled map, and each filter per axis.
 static int blur_stores(const Settings &settings)
 {
-    return (settings.downsample > 1 ? 1 : 0) + (settings.radius > 0 ? 2 : 0);
+    return (settings.downsample > 1 ? 1 : 0) +
+           2 * int(blur_filters(settings).size());
 }
 
 double blur_share(const Settings &settings)
 {
-    int f = settings.downsample, n = 2 * settings.radius + 1;
+    int f = settings.downsample;
     int operations = f > 1 ? f * f + 1 : 0;
-    operations += n > 1 ? 2 * (n + 1) : 0;
+    for (const AxisFilter &filter : blur_filters(settings))
+        operations += 2 * (int(filter.weights.size()) + 1);
     double stored = std::pow(1 + store_share(settings), blur_stores(settings));
     return (1 + rounding_share(operations)) * stored - 1;
 }

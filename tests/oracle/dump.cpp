@@ -57,6 +57,8 @@ static Blur blur_of(const std::string &name)
         return Blur::NONE;
     if (name == "box")
         return Blur::BOX;
+    if (name == "boxes")
+        return Blur::BOXES;
     if (name == "gaussian")
         return Blur::GAUSSIAN;
     if (name == "binomial")

@@ -43,7 +43,7 @@ struct MapView {
     }
 };
 
-enum class Blur { NONE, BOX, GAUSSIAN, BINOMIAL };
+enum class Blur { NONE, BOX, BOXES, GAUSSIAN, BINOMIAL };
 
 // The settings that a check needs; what a step does not have keeps the value
 // that means "not done".

@@ -12,7 +12,27 @@ double position_error(double u, int size)
     return 4 * UNIT_ROUNDOFF * (std::abs(u) * size + 1);
 }
 
-std::vector<double> blur_weights(const Settings &settings)
+static AxisFilter box_filter(int width, int before)
+{
+    return {before, std::vector<double>(size_t(width), 1.0 / width)};
+}
+
+static std::vector<AxisFilter> three_boxes(int radius)
+{
+    int texels = 2 * radius + 3, odd = 1;
+    // The odd width whose third part of the texels is nearest.
+    while (std::abs(3 * (odd + 2) - texels) < std::abs(3 * odd - texels))
+        odd += 2;
+    int other = (texels - odd) / 2;
+    std::vector<AxisFilter> boxes;
+    if (odd > 1)
+        boxes.push_back(box_filter(odd, odd / 2));
+    boxes.push_back(box_filter(other, (other - 1) / 2));
+    boxes.push_back(box_filter(other, other / 2));
+    return boxes;
+}
+
+static std::vector<double> single_weights(const Settings &settings)
 {
     int radius = settings.radius;
     std::vector<double> weights(size_t(2 * radius) + 1, 1.0);
@@ -27,6 +47,28 @@ std::vector<double> blur_weights(const Settings &settings)
     for (double &weight : weights)
         weight /= sum;
     return weights;
+}
+
+std::vector<AxisFilter> blur_filters(const Settings &settings)
+{
+    if (settings.radius == 0)
+        return {};
+    if (settings.blur == Blur::BOXES)
+        return three_boxes(settings.radius);
+    return {{settings.radius, single_weights(settings)}};
+}
+
+std::vector<double> blur_weights(const Settings &settings)
+{
+    std::vector<double> all = {1};
+    for (const AxisFilter &filter : blur_filters(settings)) {
+        std::vector<double> sum(all.size() + filter.weights.size() - 1, 0.0);
+        for (size_t i = 0; i < all.size(); i++)
+            for (size_t j = 0; j < filter.weights.size(); j++)
+                sum[i + j] += all[i] * filter.weights[j];
+        all = sum;
+    }
+    return all;
 }
 
 Footprint lookup_footprint(double u, double shift, int size,

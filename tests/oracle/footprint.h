@@ -16,11 +16,22 @@ struct Footprint {
 // become in 32-bit arithmetic.
 double position_error(double u, int size);
 
-// The 2 radius + 1 weights of the blur along one axis; their sum is 1. The
-// only place that knows the kernels:
-// - box: all the same,
+// One of the filters that a blur runs one after the other along an axis.
+struct AxisFilter {
+    int before;                  // texels before the one it is the mean around
+    std::vector<double> weights; // their sum is 1
+};
+
+// All of them; none without a radius. The only place that knows the kernels:
+// - box: all weights the same,
+// - boxes: three of those, of 2 radius + 3 texels together and as alike in
+//   width as can be where one is odd and the others are the same; one of even
+//   width is half a texel off, the next one half a texel the other way,
 // - gaussian: exp(-i^2 / (2 s^2)) with s = radius / 3,
 // - binomial: 1 6 15 20 15 6 1.
+std::vector<AxisFilter> blur_filters(const Settings &settings);
+
+// What they make together: 2 radius + 1 weights.
 std::vector<double> blur_weights(const Settings &settings);
 
 // Bilinear lookup at u of a map of `size` texels (before downsampling),

@@ -18,13 +18,13 @@ std::vector<MergePass> filter_passes(const Settings &settings)
     double group = settings.downsample * settings.downsample;
     if (group > 1) // the sum is divided
         passes.push_back({group + 1, 1 / group, 0, true, false});
-    if (settings.radius > 0 && !settings.sat) {
-        std::vector<double> weights = blur_weights(settings);
-        double n = double(weights.size());
-        MergePass axis = {n, weights[weights.size() / 2], UNIT_ROUNDOFF, true,
-                          false};
-        passes.insert(passes.end(), 2, axis);
-    }
+    for (int axis = 0; axis < 2 && !settings.sat; axis++)
+        for (const AxisFilter &filter : blur_filters(settings)) {
+            const std::vector<double> &weights = filter.weights;
+            passes.push_back({double(weights.size()),
+                              weights[weights.size() / 2], UNIT_ROUNDOFF, true,
+                              false});
+        }
     return passes;
 }
 

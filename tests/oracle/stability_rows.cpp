@@ -25,7 +25,7 @@ static Chain chain_of(const Run &run)
 {
     const Settings &s = run.settings;
     if (s.mips || s.sat || s.msaa > 1 || s.slope_term || s.downsample > 2 ||
-        2 * s.radius + 1 > MAX_TAPS)
+        s.blur == Blur::BOXES || 2 * s.radius + 1 > MAX_TAPS)
         throw BadInput("stability: no bound for such a filter");
     Chain chain{};
     chain.central = s.central;

@@ -2,7 +2,7 @@
 #include <cmath>     // abs
 
 #include "tests/oracle/chebyshev_bound.h" // blur_share
-#include "tests/oracle/footprint.h"       // blur_weights
+#include "tests/oracle/footprint.h"       // blur_filters
 #include "tests/oracle/guard.h"           // central_errors
 #include "tests/oracle/stage.h"
 
@@ -52,20 +52,30 @@ static Channel downsampled(const Picture &map, int channel,
 }
 
 // One axis. Sums in double, so that their order does not matter.
-static Channel blurred_along(const Channel &in,
-                             const std::vector<double> &weights, int step_x,
-                             int step_y)
+static Channel filtered_along(const Channel &in, const AxisFilter &filter,
+                              int step_x, int step_y)
 {
     Channel out(in.width, in.height);
-    int radius = int(weights.size() - 1) / 2;
     for (int y = 0; y < in.height; y++)
         for (int x = 0; x < in.width; x++) {
             double sum = 0;
-            for (int i = -radius; i <= radius; i++)
-                sum += weights[size_t(i + radius)] *
-                       in.at(x + i * step_x, y + i * step_y);
+            for (size_t k = 0; k < filter.weights.size(); k++) {
+                int i = int(k) - filter.before;
+                sum +=
+                    filter.weights[k] * in.at(x + i * step_x, y + i * step_y);
+            }
             out.at(x, y) = sum;
         }
+    return out;
+}
+
+// All filters along u, then all along v. Each of them reads far depth outside.
+static Channel blurred(const Channel &in, const Settings &settings)
+{
+    Channel out = in;
+    for (int axis = 0; axis < 2; axis++)
+        for (const AxisFilter &filter : blur_filters(settings))
+            out = filtered_along(out, filter, 1 - axis, axis);
     return out;
 }
 
@@ -128,14 +138,23 @@ static void compare_central(const Picture &blurred, const Channel &m1,
                 e.moved);
 }
 
-// The weight of a kernel around texel i that stays inside an axis of n texels.
-static double kept(int i, int n, const std::vector<double> &weights)
+// How much of each texel the filters keep inside an axis of n texels: the
+// last one spreads it over what is there, and so on back to the first.
+static std::vector<double> kept(int n, const Settings &settings)
 {
-    int radius = int(weights.size() - 1) / 2;
-    double inside = 0;
-    for (int k = std::max(-radius, -i); k <= std::min(radius, n - 1 - i); k++)
-        inside += weights[size_t(k + radius)];
-    return inside;
+    std::vector<double> parts(size_t(n), 1.0);
+    std::vector<AxisFilter> filters = blur_filters(settings);
+    for (auto filter = filters.rbegin(); filter != filters.rend(); ++filter) {
+        std::vector<double> before(size_t(n), 0.0);
+        for (int x = 0; x < n; x++)
+            for (size_t k = 0; k < filter->weights.size(); k++) {
+                int i = x + int(k) - filter->before;
+                if (i >= 0 && i < n)
+                    before[size_t(i)] += filter->weights[k] * parts[size_t(x)];
+            }
+        parts = before;
+    }
+    return parts;
 }
 
 // A kernel of weight 1 keeps the sum of 1 - M (0 outside the map) except for
@@ -144,15 +163,15 @@ static void compare_mean(const Picture &blurred, int channel,
                          const Channel &small, const Settings &settings,
                          Report &report)
 {
-    std::vector<double> weights = blur_weights(settings);
+    std::vector<double> columns = kept(small.width, settings);
+    std::vector<double> rows = kept(small.height, settings);
     double share = blur_share(settings);
     double before = 0, expected = 0, after = 0, texels = 0;
     for (int y = 0; y < small.height; y++)
         for (int x = 0; x < small.width; x++) {
             double nearness = 1 - small.at(x, y);
             before += nearness;
-            expected += nearness * kept(x, small.width, weights) *
-                        kept(y, small.height, weights);
+            expected += nearness * columns[size_t(x)] * rows[size_t(y)];
             after += 1 - double(blurred.at(x, y, channel));
             texels += 1;
         }
@@ -169,22 +188,20 @@ static void compare_mean(const Picture &blurred, int channel,
 void check_blur(const Run &run, int layer, Report &report)
 {
     Picture moments = load_map(run, layer);
-    Picture blurred = load_filtered(run, layer);
+    Picture filtered = load_filtered(run, layer);
     const Settings &settings = run.settings;
-    std::vector<double> weights = blur_weights(settings);
     if (!settings.sat) // a table's box is never stored
-        check_stored(blurred, settings, "blurred", report);
+        check_stored(filtered, settings, "blurred", report);
     std::vector<Channel> truths;
     for (int channel = 0; channel < 2; channel++) {
         Channel small = downsampled(moments, channel, settings);
-        Channel across = blurred_along(small, weights, 1, 0);
-        truths.push_back(blurred_along(across, weights, 0, 1));
+        truths.push_back(blurred(small, settings));
         if (!settings.central)
-            compare(blurred, channel, truths[size_t(channel)], settings,
+            compare(filtered, channel, truths[size_t(channel)], settings,
                     report);
         if (!settings.central || channel == 0)
-            compare_mean(blurred, channel, small, settings, report);
+            compare_mean(filtered, channel, small, settings, report);
     }
     if (settings.central)
-        compare_central(blurred, truths[0], truths[1], settings, report);
+        compare_central(filtered, truths[0], truths[1], settings, report);
 }

@@ -177,10 +177,16 @@ my %OPTIONS = (
     },
     blur => {
         steps   => [ 4, 5 ],
-        differ  => [qw(none gaussian binomial)],
+        differ  => [qw(none boxes gaussian binomial)],
         same    => ['box'],
         bad     => [ 'cube', '' ],
         allowed => qr/none,\s?box/,
+    },
+    'blur-by' => {
+        steps   => [ 4, 5 ],
+        check   => \&check_blur_by,
+        bad     => [ 'gpu', '' ],
+        allowed => qr/auto,compute,fragments/,
     },
     radius => {
         steps   => [ 4, 5 ],
@@ -529,6 +535,34 @@ sub check_sat_by {
         '--sat-by compute without OpenGL 4.3' );
     ok( draw( $step, '--sat' ) eq $auto,
         "step $step: --sat without OpenGL 4.3" );
+    return;
+}
+
+# The same filter, rounded in another order; where the driver has no compute
+# shaders, the choice is made or refused. At radius 1 fragments are faster.
+sub check_blur_by {
+    my ($step) = @_;
+    my @words = ( qw(--scene edge --show variance --blur boxes --blur-by) );
+    my ( $auto, $compute, $fragments ) =
+      map { draw( $step, @words, $_ ) } qw(auto compute fragments);
+    ok( $auto && $auto eq $compute, "step $step: --blur-by auto is compute" );
+    ok( $fragments && $fragments ne $compute,
+        "step $step: --blur-by fragments rounds otherwise" );
+    for my $other ( [qw(--blur gaussian)], [qw(--format rg16f)] ) {
+        is_refused(
+            $step, [ @$other, qw(--blur-by compute) ],
+            [qr/--blur-by compute.*@$other.*drop one/],
+            "--blur-by compute with @$other"
+        );
+    }
+    is_refused( $step, [qw(--sat --blur-by fragments)],
+        [qr/--blur-by fragments.*--sat.*drop one/], '--blur-by with --sat' );
+    local $ENV{MESA_GL_VERSION_OVERRIDE} = '3.3';
+    is_refused( $step, [qw(--blur-by compute)],
+        [qr/--blur-by compute.*4\.3.*drop --blur-by/],
+        '--blur-by compute without OpenGL 4.3' );
+    is( draw( $step, @words, 'auto' ),
+        $fragments, "step $step: --blur-by auto without OpenGL 4.3" );
     return;
 }
 

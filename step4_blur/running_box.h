@@ -1,0 +1,19 @@
+// Step 4: the box of --blur box and boxes in compute shaders (OpenGL 4.3): a
+// few additions for each texel and axis, however wide the box.
+#ifndef STEP4_RUNNING_BOX_H
+#define STEP4_RUNNING_BOX_H
+
+#include "step3_moments/moments.h" // MomentsSettings
+
+// Made of the moments' own way to merge them: no number is rounded more often
+// than where fragments add up the whole box.
+Program running_box_program(ShaderFiles files, const MomentsSettings *moments);
+
+// Fills every layer of the target, an array texture of 32-bit floats, with the
+// means of the source over a box along one axis (0: u, 1: v): so many texels
+// before and after the one in the middle.
+void running_box_apply(GLuint program, GLuint source, GLuint target,
+                       const int size[2], int layers, int axis,
+                       const int sides[2]);
+
+#endif

@@ -1,0 +1,84 @@
+// A box along each row or column, one line for each invocation, in additions
+// alone: taking away what leaves the box would leave its rounding in all that
+// follows.
+//
+// Lines are cut into blocks as long as the box. Wherever a box lies, it holds
+// the first texel of exactly one block, `start`: so it is some last texels of
+// the block before it and some first ones of the block that begins there. Sums
+// from start downwards and upwards, each one addition from the next, make all
+// the boxes around it; every sum is about that texel, which is in all of them.
+// (van Herk, A fast algorithm for local minimum and maximum filters on
+// rectangular and octagonal kernels, 1992, has these blocks for minima.)
+
+layout(local_size_x = 64) in;
+
+layout(rg32f) uniform image2DArray blurred;
+uniform ivec2 axis;   // (1, 0) along u, (0, 1) along v
+uniform ivec2 sides;  // texels before and after the one in the middle
+
+// What lies along one line.
+int line = int(gl_GlobalInvocationID.x);
+int last;  // texel of it
+
+ivec3 place(int along)
+{
+    return ivec3(along * axis + line * axis.yx, layer);
+}
+
+bool inside(int along)
+{
+    return uint(along) <= uint(last);
+}
+
+vec2 line_texel(int along)
+{
+    return inside(along) ? texelFetch(map, place(along), 0).rg : far_moments;
+}
+
+// Keeps, in the middle of the box that begins there, the sum of all from
+// `start - i` on that come before start.
+void sum_before(int start, vec2 first)
+{
+    Merge sum = merge_about(first);
+    for (int i = 0; i <= sides.x + sides.y; i++) {
+        int middle = start - i + sides.x;
+        if (i > 0) {
+            merge_add(sum, 1.0, line_texel(start - i));
+        }
+        if (inside(middle)) {
+            imageStore(blurred, place(middle), merge_sums(sum).xyxy);
+        }
+    }
+}
+
+// Adds all from start to the end of each box.
+void sum_after(int start, vec2 first)
+{
+    Merge sum = merge_about(first);
+    for (int i = 0; i <= sides.x + sides.y; i++) {
+        int middle = start + i - sides.y;
+        merge_add(sum, 1.0, line_texel(start + i));
+        if (inside(middle)) {
+            Merge box = sum;
+            merge_add_sums(box, imageLoad(blurred, place(middle)).rg);
+            vec2 moments = merge_end(box, float(sides.x + 1 + sides.y));
+            imageStore(blurred, place(middle), moments.xyxy);
+        }
+    }
+}
+
+void main()
+{
+    ivec2 size = imageSize(blurred).xy;
+    bool across = axis.x == 1;
+    last = (across ? size.x : size.y) - 1;
+    if (line >= (across ? size.y : size.x)) {
+        return;
+    }
+    int width = sides.x + 1 + sides.y;
+    for (int start = 0; start - sides.y <= last; start += width) {
+        vec2 first = line_texel(start);
+        sum_before(start, first);
+        sum_after(start, first);
+    }
+}
