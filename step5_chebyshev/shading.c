@@ -68,8 +68,18 @@ MomentsSettings shading_moments_settings(void)
     return settings;
 }
 
-static void check_soft(const BlurSettings *blur, const OptionTable tables[])
+static void check_soft(const BlurSettings *blur, const int map_size[2],
+                       const OptionTable tables[])
 {
+    for (int axis = 0; axis < 2; axis++) {
+        if (map_size[axis] % blur->downsample == 0 &&
+            map_size[axis] / blur->downsample % 2 != 0) {
+            die_usage("--soft looks up mip-maps, and no map of %dx%d texels "
+                      "can be halved: give an even --map-size or drop --soft",
+                      map_size[0] / blur->downsample,
+                      map_size[1] / blur->downsample);
+        }
+    }
     if (blur->sat) {
         die_usage("--soft looks up a mip-map chain, --sat makes a table: drop "
                   "one of them");
@@ -118,7 +128,7 @@ void shading_check(const ShadingSettings *settings, const BaseSettings *base,
 {
     BlurSettings *blur = settings->blur;
     if (settings->soft) {
-        check_soft(blur, tables);
+        check_soft(blur, base->map_size, tables);
         blur->mips = true;
         if (!options_given(tables, "blur") &&
             !options_given(tables, "radius")) {

@@ -240,6 +240,20 @@ my %OPTIONS = (
         bad     => [ 'wide', '7', '' ],
         allowed => qr/fixed,adaptive/,
     },
+    soft         => { steps => [5], check => \&check_soft },
+    'light-size' => {
+        steps   => [5],
+        check   => \&check_soft_number,
+        bad     => [ '-0.1', 'sun', '', '1e7', 'nan' ],
+        allowed => qr/numbers from 0 to 1e\+06/,
+    },
+    'penumbra-scale' => {
+        steps   => [5],
+        check   => \&check_soft_number,
+        bad     => [ '-1', '101', '', 'inf' ],
+        allowed => qr/numbers from 0 to 100/,
+    },
+    hybrid         => { steps => [5], check => \&check_hybrid },
     'min-variance' => {
         steps   => [5],
         differ  => ['0.001'],
@@ -586,6 +600,68 @@ sub check_deferred {
     return;
 }
 
+# The mip-maps come by themselves; what would choose another lookup is refused.
+sub check_soft {
+    my ( $step, $plain ) = @_;
+    my ( $soft, $mips, $blurred ) =
+      map { draw( $step, '--soft', @$_ ) } [], ['--mips'], [qw(--radius 5)];
+    ok( $soft && $soft ne $plain, "step $step: --soft changes the picture" );
+    is( $mips, $soft, "step $step: --soft has mip-maps" );
+    ok( $blurred && $blurred ne $soft,
+        "step $step: --soft --radius 5 changes the picture" );
+    for my $other (
+        [qw(--sat)],
+        [qw(--sampler hardware)],
+        [qw(--anisotropy 4)],
+        [qw(--mips --anisotropy 1)]
+      )
+    {
+        my ($name) = grep { /^--[sa]/ } @$other;
+        is_refused( $step, [ '--soft', @$other ],
+            [ qr/--soft/, qr/$name/, qr/drop/ ], "--soft with @$other" );
+    }
+    is_refused( $step, [qw(--soft --map-size 255)],
+        [ qr/--soft/, qr/--map-size/ ], '--soft of an odd map' );
+    return;
+}
+
+# --light-size and --penumbra-scale.
+sub check_soft_number {
+    my ( $step, undef, $name ) = @_;
+    my ( $soft, $other ) =
+      map { draw( $step, '--soft', @$_ ) } [], [ "--$name", 3 ];
+    ok( $soft && $other && $soft ne $other,
+        "step $step: --$name 3 changes the picture" );
+    is_refused( $step, [ "--$name", 3 ],
+        [qr/--$name needs --soft: add --soft or drop/],
+        "--$name without --soft" );
+    return;
+}
+
+sub check_hybrid {
+    my ($step) = @_;
+    my ( $soft, $hybrid ) =
+      map { draw( $step, '--soft', @$_ ) } [], ['--hybrid'];
+    ok( $soft && $hybrid && $soft ne $hybrid,
+        "step $step: --hybrid changes the picture" );
+    is_refused( $step, ['--hybrid'],
+        [qr/--hybrid needs --soft: add --soft or drop/],
+        '--hybrid without --soft' );
+    for my $filter (
+        [qw(--blur box)], [qw(--radius 2)], [qw(--downsample 2)],
+        [qw(--msaa 4)], [qw(--bleed-reduction 0.3)], [qw(--reduction smooth)]
+      )
+    {
+        is_refused(
+            $step,
+            [ qw(--soft --hybrid), @$filter ],
+            [ qr/--hybrid/, qr/$filter->[0]/, qr/drop/ ],
+            "--hybrid with @$filter"
+        );
+    }
+    return;
+}
+
 # A shader that was edited is used, and the others still come from the tree.
 sub check_shaders {
     my ( $step, $plain ) = @_;
@@ -624,8 +700,8 @@ sub check_help {
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent =
       grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
-      qw(adaptive bilinear deferred dump help light list-scenes mips sat shaders
-      slope-term window);
+      qw(adaptive bilinear deferred dump help hybrid light list-scenes mips sat
+      shaders slope-term soft window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;
@@ -646,7 +722,7 @@ sub check_option {
         %values = ( differ => [], same => [], bad => [] );
         $values{$list} = \@one if !$option->{check};
     }
-    $option->{check}->( $step, $plain ) if $option->{check};
+    $option->{check}->( $step, $plain, $name ) if $option->{check};
     for my $value ( @{ $values{differ} } ) {
         my $picture = draw( $step, "--$name", $value );
         ok( $picture && $picture ne $plain,
