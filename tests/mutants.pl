@@ -175,12 +175,12 @@ my %mutants = (
         'ivec2(i + radius, 0)', 'ivec2(abs(i), 0)'
     ],
     'the variance bias taken away' => [
-        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
-        'variance + variance_bias', 'variance - variance_bias'
+        'step5', 'step5_chebyshev/shaders/visibility.glsl',
+        'depths.y + variance_bias', 'depths.y - variance_bias'
     ],
     'a variance bias without a limit' => [
-        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
-        'min(variance + variance_bias, 1.0)', 'variance + variance_bias'
+        'step5', 'step5_chebyshev/shaders/visibility.glsl',
+        'min(depths.y + variance_bias, 1.0)', 'depths.y + variance_bias'
     ],
     'a smooth reduction without rounded ends' => [
         'step5', 'step5_chebyshev/shaders/reduction_smooth.glsl',
@@ -392,6 +392,63 @@ my %mutants = (
     'levels not blended' => [
         'prefilters', 'step4_blur/shaders/mip_levels.glsl',
         'wanted - fine)', '0.0)'
+    ],
+    'taps that were turned and then forgotten' => [
+        'soft', 'step5_chebyshev/shaders/lookup_soft.glsl',
+        'moments_at_level(uv,', 'moments_at_level(receiver.uv,'
+    ],
+    'a disc whose points do not turn' => [
+        'soft', 'step2_pcf/shaders/poisson_disc.glsl',
+        'poisson_turns[4 * pixel.y + pixel.x]', 'poisson_turns[0]'
+    ],
+    'all taps at the finest level' => [
+        'soft', 'step5_chebyshev/shaders/lookup_soft.glsl',
+        'log2(max(disc.texels * POISSON_RADIUS, 1.0))', '0.0'
+    ],
+    'occluders as deep as the mean' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'before / hidden', 'before'
+    ],
+    'a penumbra of the other kind of light' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'light_position.w == 0.0', 'light_position.w != 0.0'
+    ],
+    'a penumbra as wide as the light' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'penumbra_width(here, occluder)', 'penumbra_width(here, nearest)'
+    ],
+    'a disc of twice the penumbra' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        '0.5 * width / texels', 'width / texels'
+    ],
+    'a circle that no perspective stretches' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'cross(towards_light(receiver.relative_position), u)',
+        'cross(towards_light(vec3(0.0)), u)'
+    ],
+    'a search that is as wide as the map' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        '1.0 / 8.0', '1.0'
+    ],
+    'one search, as wide as the light' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'pow(LEAST_DISC / widest, part)', '1.0'
+    ],
+    'a tilted receiver taken for what is before it' => [
+        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'min(deviation * deviation, 0.9 * variance)', '0.0'
+    ],
+    'a hybrid that is lit behind its occluders' => [
+        'soft', 'step5_chebyshev/shaders/visibility_hybrid.glsl',
+        'plane - bias <= occluder', 'plane - bias > occluder'
+    ],
+    'a hybrid that compares one depth for all taps' => [
+        'soft', 'step5_chebyshev/shaders/visibility_hybrid.glsl',
+        'receiver.depth + dot(slope, away)', 'receiver.depth'
+    ],
+    'a hybrid that reaches around its caster' => [
+        'soft', 'step5_chebyshev/shaders/visibility_hybrid.glsl',
+        'min(0.5 * disc.gap / LEAST_DISC, 1.0)', '1.0'
     ],
     'derivatives of x and y swapped' => [
         'prefilters', 'step1_shadowmap/shaders/steps.glsl',
