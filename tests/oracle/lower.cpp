@@ -191,6 +191,8 @@ void check_lower(const Run &run, Report &report)
 {
     if (run.step != 5 || run.settings.reduces() || run.settings.soft)
         throw BadInput("lower needs step 5 without a reduction or --soft");
+    if (run.settings.mips || run.settings.adaptive_box)
+        throw BadInput("lower knows only filters that are alike everywhere");
     Receivers receivers(run);
     Maps maps;
     for (size_t layer = 0; layer < run.views.size(); layer++)
