@@ -147,7 +147,7 @@ my %mutants = (
     ],
     'the mean in place of the variance' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
-        'variance / (variance + behind', 'moments.x / (moments.x + behind'
+        'variance / (variance + behind', 'mean / (mean + behind'
     ],
     'a central merge about no depth of its own' => [
         'stability/stability', 'step3_moments/shaders/merge_central.glsl',
@@ -195,14 +195,9 @@ my %mutants = (
         'step4', 'step4_blur/shaders/map_texel.glsl',
         'far_moments', 'vec2(0.0)'
     ],
-    'a least variance of the rounding only' => [
-        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
-        'max(min_variance, min_variance_of_m2 * moments.y)',
-        'min_variance_of_m2 * moments.y'
-    ],
     'no least variance' => [
-        'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
-        'max(variance_of(moments), least)', 'variance_of(moments)'
+        'step5', 'step5_chebyshev/shaders/guard_constant.glsl',
+        'max(variance_of(moments), min_variance)', 'variance_of(moments)'
     ],
     'lit is not told from shadowed' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
@@ -251,6 +246,74 @@ my %mutants = (
         'lights', 'step1_shadowmap/shaders/linear_depth.glsl',
         'length(towards_light(relative_position))',
         'abs(towards_light(relative_position).y)'
+    ],
+    'central moments merged about 0' => [
+        'central', 'step3_moments/shaders/merge_central.glsl',
+        'Merge(heaviest.x, 0.0, 0.0)', 'Merge(0.0, 0.0, 0.0)'
+    ],
+    'merged about a tap at the rim' => [
+        'central', 'step4_blur/shaders/blur.frag',
+        'map_texel(middle))', 'map_texel(middle - radius * axis))'
+    ],
+    'a mean that is not moved back' => [
+        'central', 'step3_moments/shaders/merge_central.glsl',
+        'merge.square / weights - shift * shift', 'merge.square / weights'
+    ],
+    'variances averaged like means' => [
+        'central', 'step3_moments/shaders/merge_central.glsl',
+        'part * rest * apart * apart', '0.0'
+    ],
+    'a slope of central moments without a limit' => [
+        'central', 'step3_moments/shaders/merge_central.glsl',
+        'min(variance, depth - depth * depth)', 'variance'
+    ],
+    '16 bits cut off' => [
+        'central', 'step3_moments/shaders/store_half.glsl',
+        'bits + 0xfffu + (bits >> 13 & 1u)', 'bits'
+    ],
+    'small halves cut off' => [
+        'central', 'step3_moments/shaders/store_half.glsl',
+        'roundEven(', 'floor('
+    ],
+    'outside a central map depths vary' => [
+        'central', 'step3_moments/shaders/merge_central.glsl',
+        'vec2(1.0, 0.0)', 'vec2(1.0, 1.0)'
+    ],
+    'a tenth of what rounds the mean' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'guard_mean.x * mean', '0.1 * guard_mean.x * mean'
+    ],
+    'ten times what rounds the mean' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'guard_mean.x * mean', '10.0 * guard_mean.x * mean'
+    ],
+    'a tenth of the spread' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'guard_spread * deviation', '0.1 * guard_spread * deviation'
+    ],
+    'ten times the spread' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'guard_spread * deviation', '10.0 * guard_spread * deviation'
+    ],
+    'a tenth of what rounds the deviation' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'guard_variance.x * size', '0.1 * guard_variance.x * size'
+    ],
+    'ten times what rounds the deviation' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'guard_variance.x * size', '10.0 * guard_variance.x * size'
+    ],
+    'a tenth of the noise' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        '64.0 / 16777216.0', '6.4 / 16777216.0'
+    ],
+    'a tenth of what raw moments lose' => [
+        'central', 'step5_chebyshev/shaders/guard_raw.glsl',
+        'guard_variance.x) * moments', '0.1 * guard_variance.x) * moments'
+    ],
+    'ten times what raw moments lose' => [
+        'central', 'step5_chebyshev/shaders/guard_raw.glsl',
+        'guard_variance.x) * moments', '10.0 * guard_variance.x) * moments'
     ],
     'projected in the map, not divided' => [
         'moments', 'step3_moments/shaders/projected_depth.glsl',
