@@ -44,7 +44,7 @@ for my $decade ( 1 .. 6 ) {
         "edge:gap=1e-$decade",
         formats => 1,
         closed  => 1,
-        quick   => $decade == 2 ? [ 4, 5 ] : [],
+        quick   => $decade == 2 ? [5] : [],
     );
 }
 for my $offset (qw(0 1e3 1e5 1e7)) {
@@ -62,7 +62,7 @@ for my $degrees (qw(90 1 0.1 0.01)) {
     my $along = $degrees == 90 ? ', along up' : '';
     scene_case( "light at $degrees degrees$along",
         "teapot:elevation=$degrees",
-        quick => $degrees eq '0.01' ? [ 1, 5 ] : [] );
+        quick => $degrees eq '0.01' ? [ 4, 5 ] : [] );
 }
 scene_case( 'camera and light along up', 'overhead' );
 scene_case( 'light inside an occluder',  'enclosed' );

@@ -3,6 +3,8 @@
 use strict;
 use warnings;
 
+use File::Basename qw(dirname);
+use File::Path qw(remove_tree);
 use Test::More;
 use VSM;
 
@@ -10,6 +12,7 @@ my $run = command( $^X, root() . '/tests/stability/stability.pl', '--quick' );
 my ($table) = $run->{out} =~ /^all of it: (\S+)$/m
   or BAIL_OUT("stability.pl --quick: $run->{out}$run->{err}");
 my ( $head, @lines ) = split /\n/, slurp( root() . "/$table" );
+remove_tree( dirname( root() . "/$table" ) );
 my @names = split /,/, $head;
 my %seen;
 for my $line (@lines) {
