@@ -30,7 +30,7 @@ our @EXPORT = qw(root program_name program command run dump_run oracle
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
 my $SHADERS = $ENV{VSM_SHADERS} && File::Spec->rel2abs( $ENV{VSM_SHADERS} );
 my $BUILD   = File::Spec->rel2abs( $ENV{VSM_BUILD} // 'build', $ROOT );
-my $SECONDS = $ENV{VSM_SLOW} ? 600 : 60;
+our $SECONDS = $ENV{VSM_SLOW} ? 600 : 60; # a command may take
 
 my %dumps;    # folder by step and arguments
 

@@ -220,12 +220,12 @@ our @TECHNIQUES = map {
                 $_->[0],
                 'soft',
                 5,
-                "$TEST $_->[1] --light-size {l}",
+                "$_->[1] --light-size {l}",
                 [1],
                 [qw(teapot edge thin stage)],
                 'the width of a penumbra shows on the scenes measured'
         ] }
-        ( [ 'soft', '--soft' ], [ 'soft hybrid', '--soft --hybrid' ], ) ),
+        ( [ 'soft', "$TEST --soft" ], [ 'soft hybrid', '--soft --hybrid' ], ) ),
     [
         'VSM multisampled',
         'VSM',

@@ -3,6 +3,7 @@
 use strict;
 use warnings;
 
+use File::Temp qw(tempdir);
 use Test::More;
 use VSM;
 use lib root() . '/tests/report';
@@ -10,6 +11,8 @@ use Columns qw(@COLUMNS csv);
 use Judge   qw(claims mark_front ratio);
 use Sweep   qw(mode sweep);
 use Verdict qw(verdict crossing);
+
+my $folder = tempdir( CLEANUP => 1 );
 
 # A point: its label, milliseconds round by round, error.
 sub point {
@@ -169,6 +172,20 @@ for my $scene ( sort keys %scenes ) {
     my @lacking =
       grep { !$seen{"$scene $_"} } map { ( "PCF $_", "VSM $_" ) } @widths;
     is( "@lacking", '', "$scene: PCF and VSM at the widths of a verdict" );
+}
+
+# Each technique with its narrowest filter, on one scene, smaller than it is
+# measured: its options are ones that the program takes.
+my %drawn;
+for my $point ( sort { $a->{width} <=> $b->{width} } @$all ) {
+    next if $drawn{ $point->{technique} }++;
+    my $run = run(
+        $point->{step},
+        @{ $point->{options} },
+        qw(--size 16x9 --map-size 128 --output),
+        "$folder/picture.png"
+    );
+    is( "$run->{status} $run->{err}", '0 ', "$point->{technique} is drawn" );
 }
 
 my $csv = csv( { scene => 'a,b', label => 'say "x"', options => [qw(--x y)] } );
