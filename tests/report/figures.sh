@@ -79,6 +79,9 @@ step4_blur)
         panel sat $fence 4 --sat
     }
     join "$program/technique_filters.png" plain mips anisotropy sat
+    panel boxes --blur boxes --radius 24
+    panel gaussian --blur gaussian --radius 24
+    join "$program/technique_boxes.png" boxes gaussian
     ;;
 step5_chebyshev)
     panel fixed --map-size 256 --radius 7 --sat
