@@ -70,8 +70,9 @@ static GLuint create_weights(const BlurSettings *settings, const int sides[2])
     return texture;
 }
 
-// Up to this radius fragments add a box up sooner (measured).
-enum { FRAGMENTS_RADIUS = 1 };
+// Up to this radius fragments add a box up about as soon (measured), and the
+// lesson's own shader runs.
+enum { FRAGMENTS_RADIUS = 3 };
 
 // Whether running boxes are to blur, and can.
 static bool runs(const BlurSettings *settings, const MomentsSettings *moments)

@@ -161,6 +161,12 @@ my %OPTIONS = (
         bad     => [ 'linear,projected', '', 'z' ],
         allowed => qr/linear,\s?projected/,
     },
+    moments => {
+        steps   => [ 3 .. 5 ],
+        check   => \&check_moments,
+        bad     => [ 'both', '', 'raw,central' ],
+        allowed => qr/raw,\s?central/,
+    },
     'slope-term' => { steps => [ 3 .. 5 ], check => \&check_slope_term },
     'slope-from' => {
         steps   => [ 3 .. 5 ],
@@ -365,6 +371,20 @@ sub check_slope_term {
 }
 
 # What the driver cannot make it says; --dump writes what is resolved.
+# The default of each step; and in 16 bits raw moments have no variance left.
+sub check_moments {
+    my ( $step, $plain ) = @_;
+    my $default = $step == 5 ? 'central' : 'raw';
+    is( draw( $step, '--moments', $default ),
+        $plain, "step $step: --moments $default changes nothing" );
+    my ( $raw, $central ) =
+      map { draw( $step, qw(--show variance --format rg16f --moments), $_ ) }
+      qw(raw central);
+    ok( $raw && $central && $raw ne $central,
+        "step $step: --moments central keeps a variance that raw lost" );
+    return;
+}
+
 sub check_msaa {
     my ($step) = @_;
     is_refused( $step, [qw(--msaa 64)],
@@ -553,10 +573,11 @@ sub check_sat_by {
 }
 
 # The same filter, rounded in another order; where the driver has no compute
-# shaders, the choice is made or refused. At radius 1 fragments are faster.
+# shaders, the choice is made or refused.
 sub check_blur_by {
     my ($step) = @_;
-    my @words = ( qw(--scene edge --show variance --blur boxes --blur-by) );
+    my @words = qw(--scene edge --show variance --moments raw --radius 8
+      --blur boxes --blur-by);
     my ( $auto, $compute, $fragments ) =
       map { draw( $step, @words, $_ ) } qw(auto compute fragments);
     ok( $auto && $auto eq $compute, "step $step: --blur-by auto is compute" );
