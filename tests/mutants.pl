@@ -43,8 +43,9 @@ my %mutants = (
     ],
     'the picture upside down' => [
         'step1', 'step1_shadowmap/shaders/scene.vert',
-        'clip_from_relative * relative;',
-        'clip_from_relative * relative; gl_Position.y = -gl_Position.y;'
+        'clip_from_relative * vec4(relative_position, 1.0);',
+        'clip_from_relative * vec4(relative_position, 1.0); '
+          . 'gl_Position.y = -gl_Position.y;'
     ],
     'the map upside down' => [
         'step1', 'step1_shadowmap/shaders/map.vert',
@@ -53,7 +54,7 @@ my %mutants = (
     ],
     'visible although it faces away' => [
         'step1', 'step1_shadowmap/shaders/scene.frag',
-        'facing > 0.0 && cosine', 'cosine'
+        'facing > 0.0 && spread', 'spread'
     ],
     'half the slope bias' => [
         'step2', 'step1_shadowmap/shaders/bias.glsl',
@@ -172,7 +173,7 @@ my %mutants = (
     ],
     'the wrong row of the kernel' => [
         'truths', 'step4_blur/shaders/blur.frag',
-        'ivec2(i + radius, 0)', 'ivec2(abs(i), 0)'
+        'ivec2(i + sides.x, 0)', 'ivec2(abs(i), 0)'
     ],
     'the variance bias taken away' => [
         'step5', 'step5_chebyshev/shaders/visibility.glsl',
@@ -600,7 +601,7 @@ my %mutants = (
     ],
     'lit although it faces away, without shadows' => [
         'shadows',       'step1_shadowmap/shaders/scene.frag',
-        'facing > 0.0 && cosine', 'cosine'
+        'facing > 0.0 && spread', 'spread'
     ],
     'facing away is not dark' => [
         'scenes',          'step1_shadowmap/shaders/scene.frag',
