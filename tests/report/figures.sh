@@ -90,5 +90,11 @@ step5_chebyshev)
     panel forward
     panel deferred --deferred
     join "$program/technique_deferred.png" forward deferred
+    panel fixed --scene teapot:elevation=25 --radius 8
+    panel soft --scene teapot:elevation=25 --soft --light-size 0.2
+    join "$program/technique_soft.png" fixed soft
+    panel bound --scene bleed:r=4 --soft --bleed-reduction 0
+    panel hybrid --scene bleed:r=4 --soft --hybrid
+    join "$program/technique_hybrid.png" bound hybrid
     ;;
 esac
