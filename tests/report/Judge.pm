@@ -43,6 +43,14 @@ sub ratio {
         map { $these->[$_] / $those->[$_] } 0 .. $rounds - 1 );
 }
 
+# The same of their fastest frames. Whatever else the machine does only adds to
+# a frame's time, so the least time is the one that depends on it least: what
+# has to hold is judged by it, since it has to hold on a busy machine too.
+sub fastest_ratio {
+    my ( $pass, $point, $other ) = @_;
+    return $point->{fastest}{$pass} / $other->{fastest}{$pass};
+}
+
 # Each: {holds, text}; of points that were not measured, nothing.
 sub claims {
     my @points = @_;
@@ -67,11 +75,11 @@ sub claims {
             my ( $wide, $narrow ) =
               $pick->( "$scene $name 31", "$scene $name 7" )
               or next;
-            my $ratio = ratio( 'shading', $wide, $narrow );
+            my $ratio = fastest_ratio( 'shading', $wide, $narrow );
             $claim->(
                 $ratio >= $least && $ratio <= $most,
-                '%s: shading, width 31 over 7: %s %.2f',
-                $scene, $name, $ratio
+                '%s: shading, %s 31 over %s 7, fastest frames: %.2f',
+                $scene, $name, $name, $ratio
             );
         }
     }

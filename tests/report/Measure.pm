@@ -227,9 +227,10 @@ sub summarise {
     }
     for my $pass ( keys %samples ) {
         my @times = @{ $samples{$pass} };
-        $point->{"${pass}_ms"} = quantile( 0.5,  @times );
-        $point->{"${pass}_q1"} = quantile( 0.25, @times );
-        $point->{"${pass}_q3"} = quantile( 0.75, @times );
+        $point->{"${pass}_ms"}   = quantile( 0.5,  @times );
+        $point->{"${pass}_q1"}   = quantile( 0.25, @times );
+        $point->{"${pass}_q3"}   = quantile( 0.75, @times );
+        $point->{fastest}{$pass} = quantile( 0,    @times );
     }
     $point->{frames} = @{ $samples{total} // [] };
     $point->{rounds} = @rounds;

@@ -176,6 +176,7 @@ sub main {
 }
 
 $| = 1;
+$VSM::SECONDS = 600;    # for one command, on a machine as busy as it may be
 my $status = eval { main() };
 print STDERR "report: $@" unless defined $status;
 exit( $status // 2 );
