@@ -26,8 +26,8 @@ sub mode {
     return { name => $name, %$mode };
 }
 
-# What a step's --help promises: {flag}{choices, default}. Nothing where the
-# program does not answer: then its runs will fail and say why.
+# What a step's --help promises: {flag}, the values to choose from. Nothing
+# where the program does not answer: then its runs will fail and say why.
 my %help;
 
 sub promised {
@@ -35,12 +35,9 @@ sub promised {
     return $help{$step} //= do {
         my $run = run( $step, '--help' );
         my %flags;
-        while ( $run->{out} =~ /^  (--[a-z-]+) (.*)\n((?:      .*\n)*)/mg ) {
-            my ( $flag, $choices, $text ) = ( $1, $2, $3 );
-            $flags{$flag} = {
-                choices => $choices =~ /^\w+(?:,\w+)+$/       ? $choices : '',
-                default => $text    =~ /\(default (.*)\)\s*$/ ? $1       : '',
-            };
+        while ( $run->{out} =~ /^  (--[a-z-]+) (.*)$/mg ) {
+            my ( $flag, $choices ) = ( $1, $2 );
+            $flags{$flag} = $choices =~ /^\w+(?:,\w+)+$/ ? $choices : '';
         }
         \%flags;
     };
@@ -54,23 +51,12 @@ sub lacks {
     while (@options) {
         my $flag  = shift @options;
         my $value = @options && $options[0] !~ /^--/ ? shift @options : '';
-        my $known = $flags->{$flag}
-          or return "step $step has no $flag yet";
-        my %choices = map { $_ => 1 } split /,/, $known->{choices};
+        return "step $step has no $flag yet" unless exists $flags->{$flag};
+        my %choices = map { $_ => 1 } split /,/, $flags->{$flag};
         return "step $step has no $flag $value yet"
           if %choices && !$choices{$value};
     }
     return '';
-}
-
-# A variant that the program is by itself is another technique's point.
-sub is_default {
-    my ( $step, $options ) = @_;
-    my ( $flag, $value )   = $options =~ /(--moments) (\w+)/ or return '';
-    my $default = promised($step)->{$flag}{default} // '';
-    return $default eq $value
-      ? "$flag $value is what step $step does anyway"
-      : '';
 }
 
 # Whether a mode's list, if it has one, names the value.
@@ -158,8 +144,7 @@ sub sweep {
         for my $technique (@TECHNIQUES) {
             my ( $name, $step, $options ) = @$technique{qw(name step options)};
             next unless chosen( $mode->{techniques}, $name );
-            my $reason = lacks( $step, filled( $options, 3, $scene ) )
-              || is_default( $step, $options );
+            my $reason = lacks( $step, filled( $options, 3, $scene ) );
             $reason ||= $technique->{why}
               unless chosen( $technique->{scenes}, $scene->{name} );
             if ($reason) {

@@ -13,11 +13,11 @@ our @EXPORT_OK = qw(%MODES @SCENES $MAP @TECHNIQUES @EXCLUDED $NOT_MEASURED);
 # rounds: in each, every program runs once, for so many frames after its
 # warm-up. scenes, techniques, widths: only these; map: in place of $MAP.
 our %MODES = (
-    full  => { size => '640x360', rays => 256, rounds => 3, frames => 5 },
+    full  => { size => '640x360', rays => 256, rounds => 3, frames => 11 },
     quick => {
         size       => '640x360',
         rays       => 256,
-        rounds     => 1,
+        rounds     => 3,
         frames     => 5,
         scenes     => [qw(teapot edge thin)],
         techniques => [qw(hard PCF VSM)],
@@ -77,8 +77,9 @@ my $SPLIT =
   'one map holds the whole view, or the light is not a directional one';
 my $ROUNDING = 'the rounding of the moments shows on the scenes measured';
 my $MAP_ONLY = 'its price depends on the map alone, its picture is that of VSM';
-my $LIKE_BOX =
-  'its price is that of the box; its error behaves as on those ' . 'measured';
+my $LIKE_BOX = 'a blur like any other: its error behaves as on those measured';
+my $OTHER_WAY =
+  'the same picture by another way, whose price depends on the map alone';
 
 # One row: name, family (a colour in the diagrams), step, options (see
 # Sweep::filled), widths, scenes, why the others are left out, and maps of
@@ -156,6 +157,15 @@ our @TECHNIQUES = map {
         'measured at every width on teapot, bleed and thin'
     ],
     [
+        'VSM reduced smoothly',
+        'VSM reduced',
+        5,
+        '--bleed-reduction 0.18 --reduction smooth --radius {r}',
+        [ 7, 31 ],
+        [qw(teapot bleed)],
+        'it rounds the edges of what is reduced, which shows on those measured'
+    ],
+    [
         'VSM Gaussian', 'VSM', 5,
         "$TEST --blur gaussian --radius {r}",
         [ 7, 15, 31 ],
@@ -169,7 +179,14 @@ our @TECHNIQUES = map {
         'VSM boxes', 'VSM', 5,
         "$TEST --blur boxes --radius {r}",
         [ 7, 15, 31 ],
-        [qw(teapot edge)], $MAP_ONLY
+        [qw(teapot edge)], $LIKE_BOX
+    ],
+    [
+        'VSM by fragments',
+        'VSM', 5,
+        "$TEST --blur-by fragments --radius {r}",
+        [ 7, 15, 31 ],
+        ['teapot'], $OTHER_WAY
     ],
     [
         'VSM downsampled',
@@ -196,6 +213,11 @@ our @TECHNIQUES = map {
         $MAP_ONLY, { teapot => { 256 => [ 7, 15 ], 1024 => [ 7, 15 ] } }
     ],
     [
+        'SAT by fragments',
+        'SAT', 5,          "$TEST --sat --sat-by fragments --radius {r}",
+        [7],   ['teapot'], $OTHER_WAY
+    ],
+    [
         'SAT adaptive', 'SAT', 5,
         "$TEST --sat --sat-width adaptive --radius {r}",
         [ 15, 31 ],
@@ -210,11 +232,9 @@ our @TECHNIQUES = map {
                 [qw(teapot edge bleed stage)], $ROUNDING
             ]
         } (
-            [ 'raw',          '--moments raw' ],
-            [ 'central',      '--moments central' ],
-            [ 'fp16',         '--format rg16f' ],
-            [ 'raw fp16',     '--moments raw --format rg16f' ],
-            [ 'central fp16', '--moments central --format rg16f' ],
+            [ 'raw',      '--moments raw' ],
+            [ 'fp16',     '--format rg16f' ],
+            [ 'raw fp16', '--moments raw --format rg16f' ],
         ) ),
     map( { [
                 $_->[0],
@@ -274,15 +294,25 @@ our $NOT_MEASURED = [
     ],
     [
         'maps of other sizes on other scenes',
-        'how the price grows with the map shows on teapot'
+        'how the price grows with the map shows on teapot; fence has one map '
+          . 'that is finer than the picture'
     ],
     [
-        '--depth projected, --slope-term, --msaa, --bias',
+        '--moments central, --format rg32f',
+        'they are what step 5 does by itself: the points without raw or fp16'
+    ],
+    [
+        '--depth projected, --slope-term, --bias, --slope-bias',
         'techniques.md of steps 2 and 3 says what they cure and cost'
     ],
     [
-        '--sat-by, --sampler hardware',
-        'the picture of SAT and of VSM mips by another way'
+        '--min-variance, --variance-bias, --penumbra-scale',
+        'numbers to tune by hand; the defaults are measured'
+    ],
+    [
+        '--sampler hardware',
+        'the picture of VSM mips by the texture unit, which llvmpipe only '
+          . 'imitates'
     ],
 ];
 
