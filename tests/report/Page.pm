@@ -9,7 +9,7 @@ use Exporter qw(import);
 use FindBin;
 use VSM;
 use Columns qw(@COLUMNS @CHAIN);
-use Plot    qw(work_precision growth);
+use Plot    qw(work_precision growth stair);
 use Verdict qw(verdict);
 
 our @EXPORT_OK = qw(page);
@@ -59,20 +59,38 @@ sub by_width {
         'VSM',
         'VSM Gaussian',
         'VSM boxes',
+        'VSM by fragments',
         'VSM downsampled',
         'SAT'
       );
     return map { $few{$_} ? ( $_ => $lines{$_} ) : () } keys %lines;
 }
 
+# Who is on the front of a diagram, from the fastest on.
+sub front {
+    my ( $truth, @points ) = @_;
+    my @names = map { escaped( $_->{label} ) } stair( $truth, @points );
+    return @names ? '; front: ' . join( ' &middot; ', @names ) : '';
+}
+
 sub diagrams {
     my ( $folder, $scene, @points ) = @_;
+    my @area = grep { defined $_->{area_rmse} } @points;
     return "<div class=\"grid\">\n"
-      . figure( 'Error against time',
-        work_precision( $folder, $scene, @points ) )
+      . figure(
+        'Error against time' . front( 'footprint', @points ),
+        work_precision( $folder, $scene, 'footprint', @points )
+      )
       . figure(
         'Time against the filter\'s width; bars are quartiles',
         growth( $folder, $scene, 'width', 'width, texels', by_width(@points) )
+      )
+      . (
+        !( grep { $_->{soft} } @area ) ? '' : figure(
+            'Error against an area light, against time'
+              . front( 'area', @area ),
+            work_precision( $folder, $scene, 'area', @area )
+        )
       ) . "</div>\n";
 }
 

@@ -7,7 +7,7 @@ use warnings;
 use Exporter qw(import);
 use VSM;
 
-our @EXPORT_OK = qw(work_precision growth family_colour);
+our @EXPORT_OK = qw(work_precision growth stair);
 
 # Readable on white and on black.
 my %COLOUR = (
@@ -37,15 +37,19 @@ my @FAMILIES = (
 
 # On a phone the diagram is two thirds of this size.
 my $HEAD = <<'END';
-set terminal svg size 540,440 dynamic noenhanced font 'sans-serif,14'
+set terminal svg size 540,460 dynamic noenhanced font 'sans-serif,16'
 set logscale xy
 set border 3
 set tics nomirror
 set grid lc rgb '#808080' lw 0.5 dt 3
-set key below maxcols 3 samplen 1.5
+set key tmargin center horizontal maxcols 3 samplen 1.5 width 1
 END
 
-sub family_colour { return $COLOUR{ $_[0] } // '#888888' }
+# What a diagram's errors are against.
+my %AXIS = (
+    footprint => 'RMSE against footprint truth',
+    area      => 'RMSE against the area light',
+);
 
 # Runs a script; the SVG as a part of an HTML page, or why there is none. Black
 # becomes the page's own colour, and names are made this diagram's.
@@ -71,12 +75,17 @@ sub drawn {
     return $_;
 }
 
-# The range of a logarithmic axis around values, with a tic at 1, 2 and 5 of
+# Of a logarithmic axis around values.
+sub range {
+    my @values = sort { $a <=> $b } @_;
+    return ( $values[0] / 1.5, $values[-1] * 1.5 );
+}
+
+# Such an axis, with a tic at 1, 2 and 5 of
 # each decade; gnuplot's own would go to the next power of ten.
 sub axis {
     my ( $name, @values ) = @_;
-    @values = sort { $a <=> $b } @values;
-    my ( $low, $high ) = ( $values[0] / 1.5, $values[-1] * 1.5 );
+    my ( $low,  $high )   = range(@values);
     my @tics;
     for my $decade ( -9 .. 6 ) {
         push @tics, grep { $_ >= $low && $_ <= $high }
@@ -86,6 +95,16 @@ sub axis {
     return
       "set ${name}range [$low:$high]\nset ${name}tics ("
       . join( ', ', map { sprintf '%g', $_ } @tics ) . ")\n";
+}
+
+# One with a tic at each of the values.
+sub axis_at {
+    my ( $name, @values ) = @_;
+    my ( $low,  $high )   = range(@values);
+    my %tics = map { $_ => 1 } @values;
+    return
+      "set ${name}range [$low:$high]\nset ${name}tics ("
+      . join( ', ', sort { $a <=> $b } keys %tics ) . ")\n";
 }
 
 sub quoted { return "'" . $_[0] =~ s/'/''/gr . "'" }
@@ -98,51 +117,49 @@ sub series {
     return ( $block, "\$S$index using $style $name" );
 }
 
-# Points of a scene: error against time. Widths of one technique are joined,
-# and the front is a stair below them.
+# Points of a scene: error against time, the error being that against one of
+# the truths. The widths of a family's plain technique are joined and named;
+# beside an area light each point is. The front is a stair below them.
 sub work_precision {
-    my ( $folder, $scene, @points ) = @_;
+    my ( $folder, $scene, $truth, @points ) = @_;
     my ( @blocks, @parts );
     my $add = sub {
-        my ( $block, $part ) = series( scalar @parts, @_ );
+        my ( $style, $title, @shown ) = @_;
+        my ( $block, $part ) = series( scalar @parts,
+            $style, $title, map { row( $truth, $_ ) } @shown );
         push @blocks, $block;
         push @parts,  $part;
     };
-    @points =
-      grep { defined $_->{total_ms} && defined $_->{footprint_rmse} } @points;
+    @points = judged( $truth, @points );
     return ( '<p>Nothing is measured.</p>', '' ) unless @points;
     $add->(
         '1:2 with steps lw 6 lc rgb "#30808080"',
-        'Pareto front', stair(@points)
+        'Pareto front', stair( $truth, @points )
     );
     for my $family (@FAMILIES) {
-        my @own = grep { $_->{family} eq $family } @points or next;
-        my ( $colour, $mark ) = ( $COLOUR{$family}, $MARK{$family} );
-        my @rows = map { row($_) } @own;
+        my @own    = grep { $_->{family} eq $family } @points or next;
+        my $colour = "rgb '$COLOUR{$family}'";
         $add->(
-            "1:2 with points pt $mark ps 0.8 lc rgb '$colour'",
-            $family, @rows
+            "1:2 with points pt $MARK{$family} ps 0.8 lc $colour",
+            $family, @own
         );
-        my @line = grep { $_->{label} =~ /^\Q$family\E(?: \d+)?$/ } @own;
-        next if @line < 2;
-        $add->(
-            "1:2 with lines lc rgb '$colour'",
-            undef, map { row($_) } @line
-        );
-        $add->(
-            "1:2:3 with labels offset 0.9,0.6 tc rgb '$colour'",
-            undef, map { row($_) } @line
-        );
+        my @named = @own;
+        if ( $truth eq 'footprint' ) {
+            @named = grep { $_->{label} =~ /^\Q$family\E(?: \d+)?$/ } @own;
+            next if @named < 2;
+            $add->( "1:2 with lines lc $colour", undef, @named );
+        }
+        $add->( "1:2:3 with labels offset 0.9,0.6 tc $colour", undef, @named );
     }
     return drawn(
-        "work-$scene",
+        "work-$scene-$truth",
         $folder,
         join '',
         $HEAD,
         "set xlabel 'time of a frame, ms'\n",
-        "set ylabel 'RMSE against footprint truth'\n",
+        "set ylabel '$AXIS{$truth}'\n",
         axis( x => map { $_->{total_ms} } @points ),
-        axis( y => map { error_of($_) } @points ),
+        axis( y => map { error_of( $truth, $_ ) } @points ),
         @blocks,
         'plot ',
         join( ', ', @parts ),
@@ -150,27 +167,39 @@ sub work_precision {
     );
 }
 
+# The points that have a time, and an error against this truth.
+sub judged {
+    my ( $truth, @points ) = @_;
+    return
+      grep { defined $_->{total_ms} && defined $_->{"${truth}_rmse"} } @points;
+}
+
 # Drawn on a logarithmic axis, where there is no 0.
 sub error_of {
-    my ($point) = @_;
-    return $point->{footprint_rmse} > 1e-7 ? $point->{footprint_rmse} : 1e-7;
+    my ( $truth, $point ) = @_;
+    my $error = $point->{"${truth}_rmse"};
+    return $error > 1e-7 ? $error : 1e-7;
 }
 
 sub row {
-    my ($point) = @_;
-    return join ' ', $point->{total_ms}, error_of($point), $point->{width};
+    my ( $truth, $point ) = @_;
+    return join ' ', $point->{total_ms}, error_of( $truth, $point ),
+      $truth eq 'area' ? "\"$point->{label}\"" : $point->{width};
 }
 
-# The least error that a time buys.
+# The points that buy less error than all that are faster.
 sub stair {
-    my @points = sort { $a->{total_ms} <=> $b->{total_ms} } @_;
-    my ( $least, @rows );
+    my ( $truth, @points ) = @_;
+    @points =
+      sort { $a->{total_ms} <=> $b->{total_ms} } judged( $truth, @points );
+    my ( $least, @corners );
     for (@points) {
-        next if defined $least && $_->{footprint_rmse} >= $least;
-        $least = $_->{footprint_rmse};
-        push @rows, row($_);
+        my $error = $_->{"${truth}_rmse"};
+        next if defined $least && $error >= $least;
+        $least = $error;
+        push @corners, $_;
     }
-    return @rows;
+    return @corners;
 }
 
 # Time against one column, a line for each technique.
@@ -204,7 +233,7 @@ sub growth {
         $HEAD,
         "set xlabel " . quoted($axis) . "\n",
         "set ylabel 'time of a frame, ms'\n",
-        "set xtics (3, 7, 15, 31, 256, 512, 1024, 2048)\n",
+        axis_at( x => map { $_->{$column} } @drawn ),
         axis( y => map { @$_{qw(total_q1 total_q3)} } @drawn ),
         @blocks,
         'plot ',

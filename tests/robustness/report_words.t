@@ -9,10 +9,9 @@ use VSM;
 use lib root() . '/tests/report';
 use Columns qw(@COLUMNS csv);
 use Judge   qw(claims mark_front ratio);
+use Plot    qw(stair work_precision);
 use Sweep   qw(mode sweep);
 use Verdict qw(verdict crossing);
-
-my $folder = tempdir( CLEANUP => 1 );
 
 # A point: its label, milliseconds round by round, error.
 sub point {
@@ -137,6 +136,24 @@ is(
     join( ' ', map { "$_->{label}$_->{front}" } @points ),
     'a1 b1 c1 d0 e1 f1',
     'the front: clearly faster, and no more wrong'
+);
+
+# The stair of the diagram is the strict one, by medians.
+is( join( ' ', map { $_->{label} } stair( 'footprint', @points[ 0 .. 4 ] ) ),
+    'a b e', 'the stair: each corner is slower, and less wrong' );
+
+# Beside an area light, each point is named.
+my ($drawn) = work_precision(
+    tempdir( CLEANUP => 1 ),
+    'teapot',
+    'area',
+    point( 'hard',        [5], 0.02, family => 'hard', area_rmse => 0.05 ),
+    point( 'soft hybrid', [9], 0.02, family => 'soft', area_rmse => 0.01 )
+);
+like(
+    $drawn,
+    qr/against the area light.*>\s*soft hybrid\s*</s,
+    'soft techniques have a diagram of their own'
 );
 
 # --- claims ------------------------------------------------------------------
