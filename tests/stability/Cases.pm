@@ -51,7 +51,7 @@ for my $offset (qw(0 1e3 1e5 1e7)) {
     scene_case(
         "offset $offset", "teapot:offset=$offset",
         picture => $offset ? [qw(--scene teapot)] : undef,
-        quick   => $offset eq '1e7' ? [ 1, 5 ] : [],
+        quick   => $offset eq '1e7' ? [ 1 .. 5 ] : [],
     );
 }
 for my $scale (qw(1e-4 1e-2 1e2 1e4)) {
@@ -86,7 +86,7 @@ scene_case( 'map of the driver\'s limit, 8 high', 'teapot',
     map => 'LIMITx8' );
 scene_case( 'map beyond the driver\'s limit', 'teapot', map => 'BEYONDx8',
     refused => { map { $_ => qr/--map-size .*limit/ } 1 .. 5 } );
-for my $radius ( 0, 64 ) {
+for my $radius ( 0, 1, 64 ) {
     my $width = 2 * $radius + 1;
     scene_case(
         "radius $radius", 'teapot',
