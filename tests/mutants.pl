@@ -254,7 +254,7 @@ my %mutants = (
     ],
     'merged about a tap at the rim' => [
         'central', 'step4_blur/shaders/blur.frag',
-        'map_texel(middle))', 'map_texel(middle - radius * axis))'
+        'map_texel(middle))', 'map_texel(middle - sides.x * axis))'
     ],
     'a mean that is not moved back' => [
         'central', 'step3_moments/shaders/merge_central.glsl',
