@@ -222,15 +222,16 @@ sub summarise {
             push @{ $samples{ $PASS{$pass} // $pass } }, @$times;
             push @{ $point->{medians}{ $PASS{$pass} // $pass } },
               quantile( 0.5, @$times );
+            push @{ $point->{fastest}{ $PASS{$pass} // $pass } },
+              quantile( 0, @$times );
         }
         $point->{clock} = $round->{clock};
     }
     for my $pass ( keys %samples ) {
         my @times = @{ $samples{$pass} };
-        $point->{"${pass}_ms"}   = quantile( 0.5,  @times );
-        $point->{"${pass}_q1"}   = quantile( 0.25, @times );
-        $point->{"${pass}_q3"}   = quantile( 0.75, @times );
-        $point->{fastest}{$pass} = quantile( 0,    @times );
+        $point->{"${pass}_ms"} = quantile( 0.5,  @times );
+        $point->{"${pass}_q1"} = quantile( 0.25, @times );
+        $point->{"${pass}_q3"} = quantile( 0.75, @times );
     }
     $point->{frames} = @{ $samples{total} // [] };
     $point->{rounds} = @rounds;

@@ -9,6 +9,7 @@ use Exporter qw(import);
 use FindBin;
 use VSM;
 use Columns qw(@COLUMNS @CHAIN);
+use Judge   qw(outcome);
 use Plot    qw(work_precision growth stair);
 use Verdict qw(verdict);
 
@@ -380,9 +381,8 @@ sub page {
         claims     => join(
             '',
             map {
-                sprintf "<li%s>%s %s</li>\n",
-                  $_->{holds} ? ''       : ' class="fails"',
-                  $_->{holds} ? 'holds:' : 'FAILS:',
+                sprintf "<li class=\"%s\">%s: %s</li>\n",
+                  lc outcome($_), outcome($_),
                   escaped( $_->{text} )
             } @{ $report{claims} }
         ),

@@ -22,7 +22,7 @@ use JSON::PP   ();
 use POSIX      qw(strftime);
 use VSM;
 use Columns qw(@COLUMNS csv);
-use Judge   qw(claims mark_front);
+use Judge   qw(claims mark_front outcome);
 use Measure qw(measure processors);
 use Page    qw(page);
 use Sweep   qw(mode sweep);
@@ -102,7 +102,7 @@ sub print_table {
 
 sub print_claims {
     my @claims = @_;
-    print $_->{holds} ? 'holds ' : 'FAILS ', $_->{text}, "\n" for @claims;
+    print outcome($_), ' ', $_->{text}, "\n" for @claims;
     return;
 }
 
@@ -172,7 +172,7 @@ sub main {
       . "it: %s\n", scalar @$points, $reused, scalar @missing,
       "$folder/index.html";
     return 3 if @missing || @problems;
-    return grep( { !$_->{holds} } @claims ) ? 1 : 0;
+    return grep( { outcome($_) eq 'FAILS' } @claims ) ? 1 : 0;
 }
 
 $| = 1;
