@@ -58,10 +58,38 @@ sub factor {
     return sprintf $factor < 9.95 ? '%.1f' : '%.0f', $factor;
 }
 
-sub faster {
+sub enumerated {
+    my @items = @_;
+    my $last  = pop @items;
+    return @items ? join( ', ', @items ) . " and $last" : $last;
+}
+
+# Who is faster, and from which width on.
+sub overtaking {
     my @pairs    = @_;
     my $crossing = crossing(@pairs);
-    my @named    = grep { $_->{width} == 15 || $_->{width} == 31 } @pairs;
+    my ($first)  = map { $_->{width} } @pairs;
+    return "VSM is faster than PCF at every width measured, from $first on"
+      if defined $crossing && $crossing == 0;
+    my @before =
+      map { $_->{width} }
+      grep { $_->{factor} > 1 && $_->{width} < ( $crossing // 1e9 ) } @pairs;
+    my $named = @before ? enumerated(@before) : '';
+    if ( !defined $crossing ) {
+        return 'PCF is faster than VSM at every width measured' if !@before;
+        return 'VSM does not overtake PCF for good: it is faster only at '
+          . $named;
+    }
+    my $but = @before ? " (but for $named)" : '';
+    return
+        'PCF is faster below width '
+      . next_width($crossing)
+      . "$but, VSM from there on";
+}
+
+sub faster {
+    my @pairs = @_;
+    my @named = grep { $_->{width} == 15 || $_->{width} == 31 } @pairs;
     @named = ( $pairs[-1] ) unless @named;
     my $numbers = join ', ', map {
         my ( $who, $by ) =
@@ -70,15 +98,7 @@ sub faster {
           : ( 'PCF', 1 / $_->{factor} );
         "at $_->{width} $who is " . factor($by) . ' times as fast'
     } @named;
-    my $who =
-      !defined $crossing ? 'PCF is faster than VSM at every width measured'
-      : $crossing == 0
-      ? 'VSM is faster than PCF at every width measured, from '
-      . "$pairs[0]{width} on"
-      : 'PCF is faster below width '
-      . next_width($crossing)
-      . ', VSM from there on';
-    return "$who; $numbers.";
+    return overtaking(@pairs) . "; $numbers.";
 }
 
 # The link of a point's chain that changes the visibility most, among those

@@ -69,6 +69,20 @@ like(
     qr/below width 23, .*; at 15 PCF is 2\.0 times as fast, at 31 VSM is 2\.1 /,
     'they cross beyond 15'
 );
+my @odd = vsm( 50, 0.01 );
+$odd[0]{medians}{total} = [1];
+like(
+    $says->( @pcf, @odd ),
+    qr/^PCF is faster below width 9 \(but for 3\), VSM from there on;/,
+    'they cross three times: what is true of each width'
+);
+@odd = vsm( 1922, 0.01 );
+$_->{medians}{total} = [1] for @odd[ 0, 1 ];
+like(
+    $says->( @pcf, @odd ),
+    qr/^VSM does not overtake PCF for good: it is faster only at 3 and 7;/,
+    'it is not faster at the widest'
+);
 is(
     verdict( 'teapot', @pcf ),
     'PCF and VSM were not both measured here.',
