@@ -47,11 +47,11 @@ const Option moments_options[] = {
 const ShowMode moments_shows[] = {
     {"mean", "step3_moments/shaders/show_mean.glsl",
      "step1_shadowmap/shaders/scale_grey.glsl",
-     "0 near     mean depth in the map    1 far"},
+     "0 near     mean depth in the map    1 far", true},
     {"variance", "step3_moments/shaders/show_variance.glsl",
      "step3_moments/shaders/scale_fire.glsl",
-     "1e-9      variance  log scale        1e-1"},
-    {NULL, NULL, NULL, NULL},
+     "1e-9      variance  log scale        1e-1", true},
+    {NULL, NULL, NULL, NULL, false},
 };
 
 MomentsSettings moments_settings(void)

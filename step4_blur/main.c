@@ -4,6 +4,7 @@
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
+#include "step1_shadowmap/base/facts.h"      // facts_collect
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
@@ -20,6 +21,7 @@ static struct {
     Context context;
     Scene scene;
     Views views;
+    Facts facts;
     Geometry geometry;
     MomentsMap map;
     Blur filter;
@@ -58,6 +60,7 @@ static void create(void)
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
+    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
     state.geometry = geometry_create(&state.scene);
     if (base_shadows(&state.base)) {
         state.map = moments_create(files, &state.views, &state.moments);
@@ -92,7 +95,7 @@ static void write_files(void)
         blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
-                        &state.views, &state.stopwatch,
+                        &state.facts, &state.stopwatch,
                         state.map.bytes + state.filter.bytes});
     }
     scene_draw_write(&state.picture, state.base.output);

@@ -19,9 +19,14 @@ base := \
     step1_shadowmap/base/light_local.c \
     step1_shadowmap/base/light_splits.c \
     step1_shadowmap/base/region.h step1_shadowmap/base/region.c \
+    step1_shadowmap/base/polygon.h step1_shadowmap/base/polygon.c \
     step1_shadowmap/base/dvec.h \
     step1_shadowmap/base/draw_list.h step1_shadowmap/base/draw_list.c \
     step1_shadowmap/base/shape.h step1_shadowmap/base/shape.c \
+    step1_shadowmap/base/facts.h step1_shadowmap/base/facts.c \
+    step1_shadowmap/base/rect.h step1_shadowmap/base/rect.c \
+    step1_shadowmap/base/volume.h step1_shadowmap/base/volume.c \
+    step1_shadowmap/base/facing.h step1_shadowmap/base/facing.c \
     step1_shadowmap/base/geometry.h step1_shadowmap/base/geometry.c \
     step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
     step1_shadowmap/shaders/surface.glsl \

@@ -53,8 +53,15 @@ static void write_place(FILE *file, const Views *views, const Light *light)
     }
 }
 
-static void write_views(FILE *file, const Views *views, const Light *light)
+static void write_looked_up(FILE *file, const Rect *rect)
 {
+    fprintf(file, ", \"looked_up\": [%d, %d, %d, %d]", rect->low[0],
+            rect->low[1], rect->high[0], rect->high[1]);
+}
+
+static void write_views(FILE *file, const Facts *facts, const Light *light)
+{
+    const Views *views = facts->views;
     const double *origin = views->origin;
     fprintf(file, "  \"origin\": [%.17g, %.17g, %.17g],\n", origin[0],
             origin[1], origin[2]);
@@ -72,6 +79,7 @@ static void write_views(FILE *file, const Views *views, const Light *light)
                 view->near, view->far, views->width, views->height,
                 views->border);
         write_place(file, views, light);
+        write_looked_up(file, &facts->layers[i].looked_up);
         if (view->end > 0) {
             fprintf(file, ", \"handover\": %.17g, \"end\": %.17g",
                     view->handover, view->end);
@@ -100,7 +108,7 @@ static void write_run(FILE *file, const Run *run)
     fputs(",\n  \"options\": {", file);
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);
-    write_views(file, run->views, run->light);
+    write_views(file, run->facts, run->light);
     fprintf(file, "  \"map_bytes\": %zu,\n", run->map_bytes);
     fprintf(file, "  \"gl_renderer\": \"%s\",\n",
             (const char *)glGetString(GL_RENDERER));

@@ -3,6 +3,7 @@
 #ifndef BASE_DUMP_H
 #define BASE_DUMP_H
 
+#include "step1_shadowmap/base/facts.h"     // Facts
 #include "step1_shadowmap/base/options.h"   // OptionTable
 #include "step1_shadowmap/base/settings.h"  // BaseSettings
 #include "step1_shadowmap/base/stopwatch.h" // Stopwatch
@@ -20,7 +21,7 @@ typedef struct Run {
     const BaseSettings *base;
     const OptionTable *tables;
     const Light *light; // that the views are of
-    const Views *views;
+    const Facts *facts; // of the views and what is in them
     const Stopwatch *stopwatch;
     size_t map_bytes; // of all maps that the light's part of the frame needs
 } Run;

@@ -11,6 +11,7 @@ typedef struct ShowMode {
     const char *scale;  // file that defines vec3 scale_color(float) for values
                         // from 0 to 1, which the legend shows; or NULL
     const char *legend; // what the scale means: "low .. what .. high"
+    bool reads_map;     // every pixel looks the map up, lit or not
 } ShowMode;
 
 typedef struct Legend {

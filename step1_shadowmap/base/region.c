@@ -1,12 +1,9 @@
 #include "step1_shadowmap/base/region.h"
 
-#include <math.h>   // fmax, fmin, sqrt, INFINITY
-#include <string.h> // memcpy
+#include <math.h> // fmax, fmin, sqrt, INFINITY
 
-#include "step1_shadowmap/base/dvec.h" // dvec_copy, dvec_dot
-
-// A triangle gains at most a corner from each half-space.
-enum { MAX_CORNERS = 8 };
+#include "step1_shadowmap/base/dvec.h"    // dvec_dot
+#include "step1_shadowmap/base/polygon.h" // polygon_clip
 
 void vertex_relative(const Object *object, const double origin[3],
                      size_t vertex, double position[3])
@@ -27,40 +24,13 @@ void frame_coordinates(double axes[3][3], const double position[3],
     }
 }
 
-// Cuts a convex polygon with the half-space dot(normal, p) <= limit
-// (Sutherland and Hodgman). Returns the new number of corners.
-static int clip(double polygon[][3], int count, const double normal[3],
-                double limit)
-{
-    double result[MAX_CORNERS][3];
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-        const double *a = polygon[i];
-        const double *b = polygon[(i + 1) % count];
-        double inside_a = limit - dvec_dot(normal, a);
-        double inside_b = limit - dvec_dot(normal, b);
-        if (inside_a >= 0) {
-            dvec_copy(a, result[kept++]);
-        }
-        if ((inside_a >= 0) != (inside_b >= 0)) {
-            double part = inside_a / (inside_a - inside_b);
-            for (int k = 0; k < 3; k++) {
-                result[kept][k] = a[k] + part * (b[k] - a[k]);
-            }
-            kept++;
-        }
-    }
-    memcpy(polygon, result, sizeof result[0] * (size_t)kept);
-    return kept;
-}
-
 // Widens the region's range to the part of one triangle that is inside, in the
 // coordinates of the axes.
 static void include_triangle(Region *region, double axes[3][3],
                              const Object *object, const double origin[3],
                              const uint32_t corners[3])
 {
-    double polygon[MAX_CORNERS][3];
+    double polygon[POLYGON_MAX_CORNERS][3];
     for (int k = 0; k < 3; k++) {
         double relative[3];
         vertex_relative(object, origin, corners[k], relative);
@@ -68,7 +38,8 @@ static void include_triangle(Region *region, double axes[3][3],
     }
     int count = 3;
     for (int i = 0; i < 4; i++) {
-        count = clip(polygon, count, region->normals[i], region->limits[i]);
+        count =
+            polygon_clip(polygon, count, region->normals[i], region->limits[i]);
     }
     for (int k = 0; k < count; k++) {
         region->low = fmin(region->low, polygon[k][2]);

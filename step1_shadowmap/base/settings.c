@@ -96,15 +96,16 @@ const Option base_options[] = {
 };
 
 static const ShowMode shows[] = {
-    {"shaded", "step1_shadowmap/shaders/show_shaded.glsl", NULL, NULL},
-    {"visibility", "step1_shadowmap/shaders/show_visibility.glsl", NULL, NULL},
+    {"shaded", "step1_shadowmap/shaders/show_shaded.glsl", NULL, NULL, false},
+    {"visibility", "step1_shadowmap/shaders/show_visibility.glsl", NULL, NULL,
+     false},
     {"depth", "step1_shadowmap/shaders/show_depth.glsl",
      "step1_shadowmap/shaders/scale_grey.glsl",
-     "0 near     depth from the light    1 far"},
+     "0 near     depth from the light    1 far", false},
     {"layer", "step1_shadowmap/shaders/show_layer.glsl",
      "step1_shadowmap/shaders/scale_hue.glsl",
-     "0          layer of the map            7"},
-    {NULL, NULL, NULL, NULL},
+     "0          layer of the map            7", false},
+    {NULL, NULL, NULL, NULL, false},
 };
 
 static const ShowMode *find_show(const ShowMode *list, const char *name)

@@ -48,6 +48,8 @@ static MapView view_of(const json &entry, Lamp lamp)
     view.width = entry.at("width").get<int>();
     view.height = entry.at("height").get<int>();
     view.border = entry.at("border").get<double>();
+    for (size_t i = 0; i < 4; i++)
+        view.looked_up[i] = entry.at("looked_up").at(i).get<int>();
     return view;
 }
 

@@ -28,6 +28,8 @@ struct MapView {
                        // or from the light's position
     int width, height; // texels
     double border;     // texels
+    // Texels that the program says lookups need: from u, v up to u, v.
+    std::array<int, 4> looked_up;
 
     // Of a split: view depths where it begins to hand over to the next one, and
     // where it ends. 0 where there are no splits.

@@ -13,6 +13,7 @@
 #include "tests/oracle/dump.h"
 #include "tests/oracle/errors.h"
 #include "tests/oracle/files.h"
+#include "tests/oracle/looked_up.h"
 #include "tests/oracle/lower.h"
 #include "tests/oracle/matrix.h"
 #include "tests/oracle/mip_levels.h"
@@ -37,6 +38,8 @@ static const char *const USAGE =
     "  bias     what a depth bias leaves and takes (steps 1, 2): the share\n"
     "           of the lit pixels that is dark [acne-least=0] [acne-most=1],\n"
     "           of those in shadow that is not [lost-least=0] [lost-most=1]\n"
+    "  looked-up  the texels that run.json says are looked up, against the\n"
+    "           pixels that do [most=1]: how many times as many as these need\n"
     "  shading  the picture from positions, normals and visibility\n"
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
@@ -189,11 +192,12 @@ static void run_check(const std::string &check, const std::string &folder,
                       const Words &words, Report &report)
 {
     bool bleed = check == "bleed", disc = check == "disc";
-    bool overlap = check == "overlap";
-    Arguments arguments(words, bleed     ? Words{"r"}
-                               : disc    ? Words{"grid"}
-                               : overlap ? Words{"other"}
-                                         : Words{});
+    bool overlap = check == "overlap", looked_up = check == "looked-up";
+    Arguments arguments(words, bleed       ? Words{"r"}
+                               : disc      ? Words{"grid"}
+                               : overlap   ? Words{"other"}
+                               : looked_up ? Words{"most"}
+                                           : Words{});
     Run run = load_run(folder);
     if (check == "files") {
         check_files(run, report);
@@ -214,6 +218,8 @@ static void run_check(const std::string &check, const std::string &folder,
     } else if (check == "edge") {
         check_edge(load_separable(folder), SceneTable(run.scene, run.light),
                    report);
+    } else if (looked_up) {
+        check_looked_up(run, arguments.number("most", 1), report);
     } else if (overlap) {
         check_overlap(run, load_run(arguments.text("other", "")), report);
     } else if (disc) {

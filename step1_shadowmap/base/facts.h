@@ -1,0 +1,49 @@
+// What the picture needs of the light's maps: facts about the scene and the
+// views, found before anything is drawn, on which the stages decide what they
+// leave out. Conservative: what may be needed is. Nothing here knows a stage.
+#ifndef BASE_FACTS_H
+#define BASE_FACTS_H
+
+#include <stdbool.h>
+
+#include "step1_shadowmap/base/rect.h" // Rect
+#include "step1_shadowmap/base/view.h" // Views
+
+// Receivers are the parts of surfaces that are in the picture, in front of the
+// light or not known to face away, and in the map.
+typedef struct LayerFacts {
+    Rect looked_up; // the texels that receivers lie in, and some around them
+                    // for rounding; empty: none does
+    double deepest; // the largest t of a receiver; no less than it is
+} LayerFacts;
+
+typedef struct Facts {
+    const Scene *scene;
+    const Views *views;
+    LayerFacts layers[VIEW_MAX_LAYERS];
+    int layer_count;
+    int size[2];  // of the map, texels
+    bool lookups; // some layer has receivers
+    bool
+        whole; // nothing is to be left out: every layer is looked up everywhere
+} Facts;
+
+// The scene and the views have to stay where they are. With a
+// choice of --show that looks the map up everywhere, the facts are those of a
+// scene that needs everything.
+void facts_collect(Facts *facts, const Scene *scene, const Views *views,
+                   const BaseSettings *settings);
+
+// Everything is needed from here on.
+void facts_keep_all(Facts *facts);
+
+// What is read of each layer by lookups that reach so many texels to each side
+// of the receiver's own.
+void facts_needed(const Facts *facts, int reach, Rect needed[]);
+
+// The objects on the layer's list whose outline in the map may cover one of
+// these texels.
+void facts_list_casters(DrawList *list, const Facts *facts, int layer,
+                        const Rect *texels);
+
+#endif

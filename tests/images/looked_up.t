@@ -1,0 +1,37 @@
+# What the picture needs of each map, as base/facts finds it from the scene
+# alone, against the pixels that look it up: none outside of its rectangle, and
+# not many more texels than they need.
+use strict;
+use warnings;
+use Test::More;
+use VSM;
+
+my @small = qw(--size 320x180 --map-size 256);
+
+# How many times the texels between the outermost lookups: 1, where nothing else
+# hides what reaches furthest out in the map. Hidden surfaces count as seen, and
+# so does the box around a dense mesh.
+for my $case (
+    [ 1,   qw(empty) ],
+    [ 1,   qw(grazing) ],
+    [ 1,   qw(unlit) ],
+    [ 1,   qw(offstage) ],
+    [ 1,   qw(stage) ],
+    [ 1.5, qw(room) ],
+    [ 1,   qw(crowd) ],
+    [ 1,   qw(avenue) ],
+    [ 1.1, qw(avenue --splits 4) ],
+    [ 1.5, 'avenue:turn=50,walk=30', qw(--splits 8) ],
+    [ 1,   qw(empty --light point) ],
+    [ 1.1, qw(empty --light spot) ],
+    [ 1.5, qw(offstage --light point) ],
+    [ 1,   'teapot:offset=1e6,scale=0.01' ],
+    [ 1,   'empty:elevation=90' ],
+  )
+{
+    my ( $most, $scene, @options ) = @$case;
+    oracle( 'looked-up',
+        dump_run( 1, @small, '--scene', $scene, @options ), "most=$most" );
+}
+
+done_testing;
