@@ -14,8 +14,8 @@ include $(PROGRAMS:%=%/Makefile)
 include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
-.PHONY: all programs set-up set-up-tests test stability fuzz mutants sanitize \
-    report standalone window diff figures lint format clean help
+.PHONY: all programs set-up set-up-tests test identical stability fuzz mutants \
+    sanitize report standalone window diff figures lint format clean help
 
 # What each Debian package is recognised by.
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \

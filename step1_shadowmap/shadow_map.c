@@ -71,33 +71,38 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
     return map;
 }
 
-void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
-                           const Geometry *geometry, const Views *views)
+void shadow_map_draw_layer(const ShadowMap *map, int layer,
+                           const Geometry *geometry, const MapPlan *plan)
 {
     static const float far_depth = 1;
+    const LayerPlan *part = &plan->layers[layer];
     GLuint program = map->program.id;
     glEnable(GL_DEPTH_TEST);
     // What is before the near plane of a split still casts into it.
     glEnable(GL_DEPTH_CLAMP);
     glViewport(0, 0, map->width, map->height);
+    gl_limit(part->rect.low, part->rect.high);
     glUseProgram(program);
-    view_set_light(program, views);
+    view_set_light(program, plan->views);
     glUniform2f(glGetUniformLocation(program, "map_size"), (float)map->width,
                 (float)map->height); // where it is used
     glUniform1i(glGetUniformLocation(program, "layer"), layer);
     glClearBufferfv(GL_COLOR, 0, map->far);
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
-    geometry_draw_shapes(geometry, scene, &views->light[layer].seen,
-                         views->origin);
+    geometry_draw_shapes(geometry, plan->scene, &part->list,
+                         plan->views->origin);
+    gl_unlimit();
     glDisable(GL_DEPTH_CLAMP);
 }
 
-void shadow_map_draw(const ShadowMap *map, const Scene *scene,
-                     const Geometry *geometry, const Views *views)
+void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
+                     const MapPlan *plan)
 {
     for (int layer = 0; layer < map->layers; layer++) {
-        glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
-        shadow_map_draw_layer(map, layer, scene, geometry, views);
+        if (plan->layers[layer].draw) {
+            glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
+            shadow_map_draw_layer(map, layer, geometry, plan);
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 #include "step1_shadowmap/base/gl.h"       // ShaderFiles
 #include "step1_shadowmap/base/options.h"  // Option
 #include "step1_shadowmap/base/view.h"     // Views
+#include "step1_shadowmap/map_plan.h"      // MapPlan
 
 // Against self-shadowing, for every step that compares depths.
 typedef struct BiasSettings {
@@ -44,14 +45,14 @@ Program shadow_map_program(ShaderFiles files, const char *const shaders[]);
 ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
                             GLenum filter);
 
-// Draws what each view sees into its layer; what nothing covers is at far
-// depth, 1.
-void shadow_map_draw(const ShadowMap *map, const Scene *scene,
-                     const Geometry *geometry, const Views *views);
+// Draws what the plan says of each layer; what nothing covers of its texels is
+// at far depth, 1.
+void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
+                     const MapPlan *plan);
 
-// The same of one layer, into whatever framebuffer is bound.
-void shadow_map_draw_layer(const ShadowMap *map, int layer, const Scene *scene,
-                           const Geometry *geometry, const Views *views);
+// The same of one layer, drawn now or not, into whatever framebuffer is bound.
+void shadow_map_draw_layer(const ShadowMap *map, int layer,
+                           const Geometry *geometry, const MapPlan *plan);
 
 // Writes layer L as directory/name.L.exr.
 void shadow_map_dump(const ShadowMap *map, const char *name,

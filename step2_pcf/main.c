@@ -20,6 +20,7 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
+    MapPlan map_plan;
     Geometry geometry;
     ShadowMap map;
     SceneDraw picture;
@@ -40,6 +41,18 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
+// Where the light sees the scene from, and what the picture needs of that.
+static void look(void)
+{
+    Rect needed[VIEW_MAX_LAYERS];
+    int reach = pcf_reach(&state.pcf);
+    views_fit(&state.views, &state.scene, &state.base, reach);
+    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    facts_needed(&state.facts, reach, needed);
+    map_plan_decide(&state.map_plan, &state.facts, needed, "depth",
+                    gl_texel_bytes(GL_R32F));
+}
+
 static void create(void)
 {
     const char *const fill[] = {state.base.depth_shader,
@@ -48,25 +61,24 @@ static void create(void)
     pcf_shaders(&state.pcf, visibility);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    look();
     state.geometry = geometry_create(&state.scene);
-    if (base_shadows(&state.base)) {
+    if (facts_make_maps(&state.facts)) {
         state.map = shadow_map_create(
             shadow_map_program(base_shader_files(&state.base), fill),
             &state.views, GL_R32F, GL_NEAREST);
     }
-    state.picture =
-        scene_draw_create(&state.base, state.scene.light.kind, visibility);
+    state.picture = scene_draw_create(&state.base, &state.facts, visibility);
+    plan_print(&state.facts.plan, state.base.plan);
 }
 
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (base_shadows(&state.base)) {
-        shadow_map_draw(&state.map, &state.scene, &state.geometry,
-                        &state.views);
+    if (state.facts.lookups) {
+        shadow_map_draw(&state.map, &state.geometry, &state.map_plan);
         stopwatch_lap(&state.stopwatch, "depth");
+        map_plan_done(&state.map_plan);
     }
     bias_apply(&state.bias, state.picture.program.id);
     pcf_apply(&state.pcf, state.picture.program.id);
@@ -78,6 +90,9 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
+        // The picture is made; the files hold the whole map.
+        map_plan_keep_all(&state.map_plan, &state.facts);
+        shadow_map_draw(&state.map, &state.geometry, &state.map_plan);
         shadow_map_dump(&state.map, "depth", state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
@@ -96,9 +111,9 @@ static void run_window(void)
             bool compiled = shadow_map_reload(&state.map) &&
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
+            map_plan_forget(&state.map_plan);
         }
-        views_fit(&state.views, &state.scene, &state.base,
-                  pcf_reach(&state.pcf));
+        look();
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

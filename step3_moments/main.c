@@ -21,6 +21,7 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
+    MapPlan map_plan;
     Geometry geometry;
     MomentsMap map;
     SceneDraw picture;
@@ -42,6 +43,17 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
+// Where the light sees the scene from, and what the picture needs of that.
+static void look(void)
+{
+    Rect needed[VIEW_MAX_LAYERS];
+    views_fit(&state.views, &state.scene, &state.base, REACH);
+    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    facts_needed(&state.facts, REACH, needed);
+    map_plan_decide(&state.map_plan, &state.facts, needed, "moments",
+                    gl_texel_bytes(moments_format(&state.moments)));
+}
+
 static void create(void)
 {
     const char *const visibility[] = {
@@ -54,23 +66,23 @@ static void create(void)
         NULL};
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, &state.base, REACH);
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    look();
     state.geometry = geometry_create(&state.scene);
-    if (base_shadows(&state.base)) {
+    if (facts_make_maps(&state.facts)) {
         state.map = moments_create(base_shader_files(&state.base), &state.views,
                                    &state.moments);
     }
-    state.picture =
-        scene_draw_create(&state.base, state.scene.light.kind, visibility);
+    state.picture = scene_draw_create(&state.base, &state.facts, visibility);
+    plan_print(&state.facts.plan, state.base.plan);
 }
 
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (base_shadows(&state.base)) {
-        moments_draw(&state.map, &state.scene, &state.geometry, &state.views);
+    if (state.facts.lookups) {
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
         stopwatch_lap(&state.stopwatch, "moments");
+        map_plan_done(&state.map_plan);
     }
     bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
@@ -81,7 +93,10 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        moments_dump(&state.map, &state.scene, &state.geometry, &state.views,
+        // The picture is made; the files hold the whole map.
+        map_plan_keep_all(&state.map_plan, &state.facts);
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
+        moments_dump(&state.map, &state.geometry, &state.map_plan,
                      state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
@@ -100,8 +115,9 @@ static void run_window(void)
             bool compiled =
                 moments_reload(&state.map) && scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
+            map_plan_forget(&state.map_plan);
         }
-        views_fit(&state.views, &state.scene, &state.base, REACH);
+        look();
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

@@ -243,23 +243,22 @@ MomentsMap moments_create(ShaderFiles files, const Views *views,
     return map;
 }
 
-void moments_draw(const MomentsMap *map, const Scene *scene,
-                  const Geometry *geometry, const Views *views)
+void moments_draw(const MomentsMap *map, const Geometry *geometry,
+                  const MapPlan *plan)
 {
     if (map->samples.samples > 0) {
-        multisample_draw(&map->samples, &map->texels, scene, geometry, views);
+        multisample_draw(&map->samples, &map->texels, geometry, plan);
     } else {
-        shadow_map_draw(&map->texels, scene, geometry, views);
+        shadow_map_draw(&map->texels, geometry, plan);
     }
 }
 
-void moments_dump(const MomentsMap *map, const Scene *scene,
-                  const Geometry *geometry, const Views *views,
-                  const char *directory)
+void moments_dump(const MomentsMap *map, const Geometry *geometry,
+                  const MapPlan *plan, const char *directory)
 {
     shadow_map_dump(&map->texels, "moments", directory);
     if (map->samples.samples > 0) {
-        multisample_dump(&map->samples, &map->texels, scene, geometry, views,
+        multisample_dump(&map->samples, &map->texels, geometry, plan,
                          directory);
     }
 }

@@ -61,15 +61,14 @@ typedef struct MomentsMap {
 MomentsMap moments_create(ShaderFiles files, const Views *views,
                           const MomentsSettings *settings);
 
-// Draws what each view sees into its layer; see shadow_map_draw.
-void moments_draw(const MomentsMap *map, const Scene *scene,
-                  const Geometry *geometry, const Views *views);
+// Draws what the plan says of each layer; see shadow_map_draw.
+void moments_draw(const MomentsMap *map, const Geometry *geometry,
+                  const MapPlan *plan);
 
 // Writes layer L as directory/moments.L.exr, and with --msaa what
 // multisample_dump writes, for which the scene is drawn again.
-void moments_dump(const MomentsMap *map, const Scene *scene,
-                  const Geometry *geometry, const Views *views,
-                  const char *directory);
+void moments_dump(const MomentsMap *map, const Geometry *geometry,
+                  const MapPlan *plan, const char *directory);
 
 // Compiles the shaders again; see gl_program_reload.
 bool moments_reload(MomentsMap *map);

@@ -69,11 +69,11 @@ Multisample multisample_create(Program resolve, int samples, GLenum format,
 }
 
 static void draw_samples(const Multisample *multisample, const ShadowMap *map,
-                         int layer, const Scene *scene,
-                         const Geometry *geometry, const Views *views)
+                         int layer, const Geometry *geometry,
+                         const MapPlan *plan)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, multisample->framebuffer);
-    shadow_map_draw_layer(map, layer, scene, geometry, views);
+    shadow_map_draw_layer(map, layer, geometry, plan);
 }
 
 // Draws into a framebuffer of one sample per texel what a program makes of all.
@@ -90,16 +90,21 @@ static void draw_texels(const Multisample *multisample, const Program *program,
 }
 
 void multisample_draw(const Multisample *multisample, const ShadowMap *map,
-                      const Scene *scene, const Geometry *geometry,
-                      const Views *views)
+                      const Geometry *geometry, const MapPlan *plan)
 {
     const Program *resolve = &multisample->resolve;
     for (int layer = 0; layer < map->layers; layer++) {
-        draw_samples(multisample, map, layer, scene, geometry, views);
+        const LayerPlan *part = &plan->layers[layer];
+        if (!part->draw) {
+            continue;
+        }
+        draw_samples(multisample, map, layer, geometry, plan);
         glUseProgram(resolve->id);
         glUniform1i(glGetUniformLocation(resolve->id, "count"),
                     multisample->samples);
+        gl_limit(part->rect.low, part->rect.high);
         draw_texels(multisample, resolve, map->framebuffers[layer]);
+        gl_unlimit();
     }
 }
 
@@ -134,8 +139,8 @@ static void dump_layer(const Multisample *multisample, const Program *program,
 }
 
 void multisample_dump(const Multisample *multisample, const ShadowMap *map,
-                      const Scene *scene, const Geometry *geometry,
-                      const Views *views, const char *directory)
+                      const Geometry *geometry, const MapPlan *plan,
+                      const char *directory)
 {
     const char *const vertex[] = {"step1_shadowmap/shaders/fullscreen.vert",
                                   NULL};
@@ -146,7 +151,7 @@ void multisample_dump(const Multisample *multisample, const ShadowMap *map,
                                       map->height, 1, GL_NEAREST);
     GLuint framebuffer = gl_layer_framebuffer(texture, 0, 0);
     for (int layer = 0; layer < map->layers; layer++) {
-        draw_samples(multisample, map, layer, scene, geometry, views);
+        draw_samples(multisample, map, layer, geometry, plan);
         dump_layer(multisample, &program, framebuffer, map, layer, directory);
     }
     dump_positions(multisample, directory);

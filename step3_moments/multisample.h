@@ -22,17 +22,16 @@ typedef struct Multisample {
 Multisample multisample_create(Program resolve, int samples, GLenum format,
                                int width, int height);
 
-// Draws the scene into every layer of the map, with the map's program.
+// As shadow_map_draw, with the map's program.
 void multisample_draw(const Multisample *multisample, const ShadowMap *map,
-                      const Scene *scene, const Geometry *geometry,
-                      const Views *views);
+                      const Geometry *geometry, const MapPlan *plan);
 
-// Draws them once more and writes sample S of layer L as
+// Draws every layer once more and writes sample S of layer L as
 // directory/samples.L.S.exr, and as sample_positions.exr, of one row, where
 // each lies in a texel: x and y in [0, 1], y upwards.
 void multisample_dump(const Multisample *multisample, const ShadowMap *map,
-                      const Scene *scene, const Geometry *geometry,
-                      const Views *views, const char *directory);
+                      const Geometry *geometry, const MapPlan *plan,
+                      const char *directory);
 
 // Compiles the shaders again; see gl_program_reload.
 bool multisample_reload(Multisample *multisample);

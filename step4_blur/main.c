@@ -22,6 +22,7 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
+    MapPlan map_plan;
     Geometry geometry;
     MomentsMap map;
     Blur filter;
@@ -49,6 +50,17 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
+// Where the light sees the scene from, and what the picture needs of that.
+static void look(void)
+{
+    Rect needed[VIEW_MAX_LAYERS];
+    views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
+    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    facts_needed(&state.facts, state.views.width + state.views.height, needed);
+    map_plan_decide(&state.map_plan, &state.facts, needed, "moments",
+                    gl_texel_bytes(moments_format(&state.moments)));
+}
+
 static void create(void)
 {
     ShaderFiles files = base_shader_files(&state.base);
@@ -59,26 +71,26 @@ static void create(void)
                          "step3_moments/shaders/mean.glsl", &visibility[2]);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    look();
     state.geometry = geometry_create(&state.scene);
-    if (base_shadows(&state.base)) {
+    if (facts_make_maps(&state.facts)) {
         state.map = moments_create(files, &state.views, &state.moments);
         state.filter =
             blur_create(files, &state.blur, &state.moments, &state.map);
     }
-    state.picture =
-        scene_draw_create(&state.base, state.scene.light.kind, visibility);
+    state.picture = scene_draw_create(&state.base, &state.facts, visibility);
+    plan_print(&state.facts.plan, state.base.plan);
 }
 
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (base_shadows(&state.base)) {
-        moments_draw(&state.map, &state.scene, &state.geometry, &state.views);
+    if (state.facts.lookups) {
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
         stopwatch_lap(&state.stopwatch, "moments");
         state.filtered = blur_apply(&state.filter, &state.map);
         stopwatch_lap(&state.stopwatch, "blur");
+        map_plan_done(&state.map_plan);
     }
     bias_apply(&state.bias, state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
@@ -90,7 +102,11 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        moments_dump(&state.map, &state.scene, &state.geometry, &state.views,
+        // The picture is made; the files hold the whole map.
+        map_plan_keep_all(&state.map_plan, &state.facts);
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
+        state.filtered = blur_apply(&state.filter, &state.map);
+        moments_dump(&state.map, &state.geometry, &state.map_plan,
                      state.base.dump);
         blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
@@ -112,9 +128,9 @@ static void run_window(void)
                             blur_reload(&state.filter) &&
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
+            map_plan_forget(&state.map_plan);
         }
-        views_fit(&state.views, &state.scene, &state.base,
-                  blur_reach(&state.blur));
+        look();
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

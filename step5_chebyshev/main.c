@@ -25,6 +25,7 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
+    MapPlan map_plan;
     Geometry geometry;
     MomentsMap map;
     Blur filter;
@@ -55,32 +56,44 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
+// Where the light sees the scene from, and what the picture needs of that.
+static void look(void)
+{
+    Rect needed[VIEW_MAX_LAYERS];
+    shading_fit(&state.shading, &state.views, &state.scene, &state.base);
+    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    facts_needed(&state.facts, state.views.width + state.views.height, needed);
+    map_plan_decide(&state.map_plan, &state.facts, needed, "moments",
+                    gl_texel_bytes(moments_format(&state.moments)));
+}
+
 static void create(void)
 {
     ShaderFiles files = base_shader_files(&state.base);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
-    shading_fit(&state.shading, &state.views, &state.scene, &state.base);
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    look();
     state.geometry = geometry_create(&state.scene);
-    if (base_shadows(&state.base)) {
+    if (facts_make_maps(&state.facts)) {
         state.map = moments_create(files, &state.views, &state.moments);
         state.filter =
             blur_create(files, &state.blur, &state.moments, &state.map);
     }
-    state.picture = shading_picture(&state.shading, &state.base, &state.scene);
+    state.picture = shading_picture(&state.shading, &state.base, &state.facts);
     state.deferred =
         deferred_create(state.shading.deferred, &state.base, &state.picture);
+    plan_print(&state.facts.plan, state.base.plan);
 }
 
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (base_shadows(&state.base)) {
-        moments_draw(&state.map, &state.scene, &state.geometry, &state.views);
+    if (state.facts.lookups) {
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
         stopwatch_lap(&state.stopwatch, "moments");
         state.filtered = blur_apply(&state.filter, &state.map);
         stopwatch_lap(&state.stopwatch, "blur");
+        map_plan_done(&state.map_plan);
     }
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     shading_apply(&state.shading, &state.filter, &state.views,
@@ -93,7 +106,11 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        moments_dump(&state.map, &state.scene, &state.geometry, &state.views,
+        // The picture is made; the files hold the whole map.
+        map_plan_keep_all(&state.map_plan, &state.facts);
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
+        state.filtered = blur_apply(&state.filter, &state.map);
+        moments_dump(&state.map, &state.geometry, &state.map_plan,
                      state.base.dump);
         blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
@@ -116,8 +133,9 @@ static void run_window(void)
                             scene_draw_reload(&state.picture) &&
                             deferred_reload(&state.deferred);
             window_reload(&state.window, compiled);
+            map_plan_forget(&state.map_plan);
         }
-        shading_fit(&state.shading, &state.views, &state.scene, &state.base);
+        look();
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }

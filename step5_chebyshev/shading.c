@@ -239,12 +239,12 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
 }
 
 SceneDraw shading_picture(const ShadingSettings *settings,
-                          const BaseSettings *base, const Scene *scene)
+                          const BaseSettings *base, const Facts *facts)
 {
     const char *visibility[SHADING_MAX_SHADERS];
     shading_shaders(settings, visibility);
     return scene_draw_create_from(deferred_source(settings->deferred), base,
-                                  scene->light.kind, visibility);
+                                  facts, visibility);
 }
 
 void shading_apply(const ShadingSettings *settings, const Blur *filter,

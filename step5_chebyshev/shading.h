@@ -51,7 +51,7 @@ void shading_shaders(const ShadingSettings *settings, const char *files[]);
 // The picture that these files and the scene's light make, see
 // scene_draw_create.
 SceneDraw shading_picture(const ShadingSettings *settings,
-                          const BaseSettings *base, const Scene *scene);
+                          const BaseSettings *base, const Facts *facts);
 
 // Sets the uniforms of these files, but those of the filter's own lookup.
 void shading_apply(const ShadingSettings *settings, const Blur *filter,

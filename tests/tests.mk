@@ -78,6 +78,9 @@ mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: 
 stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## the extreme cases, as a table and out/stability/results.csv
 	@VSM_BUILD=$(BUILD) perl tests/stability/stability.pl
 
+identical: set-up-tests programs $(BUILD)/oracle ## every scene in every step, with and without --keep-all: the same pixels
+	@VSM_BUILD=$(BUILD) VSM_ALL=1 perl tests/run.pl tests/images/plan.t
+
 fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stability/fuzz.svg
 	@mkdir -p out/stability
 	@$(BUILD)/fuzz --count 40000 --csv >out/stability/fuzz.csv

@@ -281,7 +281,17 @@ static void collect_layers(Facts *facts, const int picture[2])
     }
 }
 
-void facts_keep_all(Facts *facts)
+bool facts_look_up(const Facts *facts)
+{
+    return facts->lookups || facts->later;
+}
+
+bool facts_make_maps(const Facts *facts)
+{
+    return facts_look_up(facts) || facts->dumped;
+}
+
+static void keep_all(Facts *facts)
 {
     facts->whole = true;
     facts->lookups = true;
@@ -294,15 +304,29 @@ void facts_keep_all(Facts *facts)
 void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                    const BaseSettings *settings)
 {
+    bool shadows = base_shadows(settings);
     *facts = (Facts){.scene = scene,
                      .views = views,
                      .layer_count = views->layers,
-                     .size = {views->width, views->height}};
-    if (base_show_mode(settings)->reads_map) {
-        facts_keep_all(facts);
-    } else {
+                     .size = {views->width, views->height},
+                     .later = shadows && settings->window,
+                     .dumped = shadows && settings->dump != NULL,
+                     .redraw = settings->keep_all || settings->redraw};
+    const char *why = "--shadows off";
+    if (shadows && settings->keep_all) {
+        keep_all(facts);
+        why = "--keep-all";
+    } else if (shadows && base_show_mode(settings)->reads_map) {
+        keep_all(facts);
+        why = "--show looks up every pixel";
+    } else if (shadows) {
         collect_layers(facts, settings->size);
+        why = facts->lookups ? "visible surfaces that may face the light are "
+                               "in the map"
+                             : "no visible surface that may face the light is "
+                               "in the map";
     }
+    plan_add(&facts->plan, "lookup", -1, facts->lookups, 0, 0, "%s", why);
 }
 
 void facts_needed(const Facts *facts, int reach, Rect needed[])

@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 
+#include "step1_shadowmap/base/plan.h" // Plan
 #include "step1_shadowmap/base/rect.h" // Rect
 #include "step1_shadowmap/base/view.h" // Views
 
@@ -24,18 +25,24 @@ typedef struct Facts {
     int layer_count;
     int size[2];  // of the map, texels
     bool lookups; // some layer has receivers
-    bool
-        whole; // nothing is to be left out: every layer is looked up everywhere
+    bool later;   // it may have them in a later frame, with another camera
+    bool dumped;  // whole maps are wanted, looked up or not
+    bool redraw;  // the maps are wanted anew in every frame
+    bool whole;   // nothing is to be left out: every layer is looked up
+                  // everywhere
+    Plan plan;    // what has been decided from the facts
 } Facts;
 
-// The scene and the views have to stay where they are. With a
+// The scene and the views have to stay where they are. With --keep-all, or a
 // choice of --show that looks the map up everywhere, the facts are those of a
 // scene that needs everything.
 void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                    const BaseSettings *settings);
 
-// Everything is needed from here on.
-void facts_keep_all(Facts *facts);
+// Whether the picture's shader has to look maps up, and whether there have to
+// be any.
+bool facts_look_up(const Facts *facts);
+bool facts_make_maps(const Facts *facts);
 
 // What is read of each layer by lookups that reach so many texels to each side
 // of the receiver's own.

@@ -150,6 +150,17 @@ float *gl_read_layer(GLuint texture, int level, int layer, int width,
     return values;
 }
 
+void gl_limit(const int low[2], const int high[2])
+{
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(low[0], low[1], high[0] - low[0], high[1] - low[1]);
+}
+
+void gl_unlimit(void)
+{
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void gl_draw_fullscreen(GLuint empty_vao)
 {
     glBindVertexArray(empty_vao);

@@ -96,6 +96,11 @@ float *gl_read(GLuint framebuffer, int attachment, int width, int height,
 float *gl_read_layer(GLuint texture, int level, int layer, int width,
                      int height, int channels);
 
+// Limits everything that is drawn and cleared to a rectangle, from low up to
+// high, until gl_unlimit().
+void gl_limit(const int low[2], const int high[2]);
+void gl_unlimit(void);
+
 // One triangle that covers the viewport, without any vertex data.
 void gl_draw_fullscreen(GLuint empty_vao);
 

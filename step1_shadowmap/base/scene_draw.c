@@ -124,28 +124,30 @@ static void create_framebuffer(SceneDraw *draw)
     gl_check_framebuffer("of the picture");
 }
 
-SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
+SceneDraw scene_draw_create(const BaseSettings *settings, const Facts *facts,
                             const char *const visibility[])
 {
-    return scene_draw_create_from(&scene_source_drawn, settings, kind,
+    return scene_draw_create_from(&scene_source_drawn, settings, facts,
                                   visibility);
 }
 
 SceneDraw scene_draw_create_from(const SceneSource *source,
-                                 const BaseSettings *settings, LightKind kind,
+                                 const BaseSettings *settings,
+                                 const Facts *facts,
                                  const char *const visibility[])
 {
     static const char *const unshadowed[] = {
         "step1_shadowmap/shaders/unshadowed.glsl", NULL};
     gl_check_size("size", settings->size[0], settings->size[1]);
-    if (!base_shadows(settings)) {
+    if (!facts_look_up(facts)) {
         visibility = unshadowed;
     }
     SceneDraw draw = {.footprint = uses_footprint(visibility),
                       .width = settings->size[0],
                       .height = settings->size[1]};
     choose_outputs(&draw, settings);
-    draw.program = create_program(source, settings, kind, visibility);
+    draw.program =
+        create_program(source, settings, facts->scene->light.kind, visibility);
     draw.shaded = strcmp(settings->show, "shaded") == 0;
     draw.legend =
         legend_create(base_shader_files(settings), base_show_mode(settings),

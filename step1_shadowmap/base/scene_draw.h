@@ -3,6 +3,7 @@
 #ifndef BASE_SCENE_DRAW_H
 #define BASE_SCENE_DRAW_H
 
+#include "step1_shadowmap/base/facts.h"    // Facts
 #include "step1_shadowmap/base/geometry.h" // Geometry
 #include "step1_shadowmap/base/settings.h" // BaseSettings
 #include "step1_shadowmap/base/view.h"     // Views
@@ -37,17 +38,18 @@ typedef struct SceneDraw {
     int width, height; // pixels
 } SceneDraw;
 
-// For a light of this kind. `visibility` lists the fragment shader files (NULL
-// at the end) that define float visibility(Receiver); they are compiled
-// together with step 1's scene.frag. Without shadows they are left out: the
-// visibility is 1 wherever a surface faces the light. With --dump the picture
-// has the further outputs that scene_draw_dump writes.
-SceneDraw scene_draw_create(const BaseSettings *settings, LightKind kind,
+// `visibility` lists the fragment shader files (NULL at the end) that define
+// float visibility(Receiver); they are compiled together with step 1's
+// scene.frag. Where the facts say that nothing is looked up they are left out:
+// the visibility is 1 wherever a surface faces the light. With --dump the
+// picture has the further outputs that scene_draw_dump writes.
+SceneDraw scene_draw_create(const BaseSettings *settings, const Facts *facts,
                             const char *const visibility[]);
 
 // The same from another source.
 SceneDraw scene_draw_create_from(const SceneSource *source,
-                                 const BaseSettings *settings, LightKind kind,
+                                 const BaseSettings *settings,
+                                 const Facts *facts,
                                  const char *const visibility[]);
 
 // Draws one frame with `map` (a 2D array texture) as the shader's shadow_map.

@@ -92,6 +92,19 @@ const Option base_options[] = {
      .maximum = STOPWATCH_MAX_FRAMES - STOPWATCH_WARM_UP,
      .argument = "N",
      .help = "time N frames after a warm-up; prints a line per pass, as CSV"},
+    {.name = "plan",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, plan),
+     .help = "print each pass, whether it is kept or left out, and why"},
+    {.name = "keep-all",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, keep_all),
+     .help = "leave nothing out: draw every map, all of it, in every frame"},
+    {.name = "redraw",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, redraw),
+     .help = "draw what is kept of the maps in every frame, not only when "
+             "something has changed"},
     {0},
 };
 

@@ -29,6 +29,9 @@ typedef struct BaseSettings {
     int splits;               // views of a directional light
     const char *depth_shader; // the formula of t, for map and picture
     int bench;                // frames to time, or 0
+    bool plan;                // print what is left out, and why
+    bool keep_all;            // leave nothing out
+    bool redraw;              // draw the map in every frame
 } BaseSettings;
 
 extern const Option base_options[];

@@ -1,4 +1,5 @@
-// --shadows off: nothing is in the way of the light.
+// --shadows off, and where no visible receiver is in a map: there is nothing to
+// look up.
 
 float visibility(Receiver receiver)
 {

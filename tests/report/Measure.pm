@@ -185,7 +185,8 @@ sub pictures {
 
 # --- times -------------------------------------------------------------------
 
-# One run: {clock, passes => {name => [milliseconds of each frame]}}.
+# One run: {clock, passes => {name => [milliseconds of each frame]}}. The map is
+# drawn in every frame, as where something moves.
 sub times_of {
     my ( $point, $folder, $frames ) = @_;
     my $picture = "$folder/bench.png";
@@ -193,8 +194,7 @@ sub times_of {
         answer(
             run(
                 $point->{step}, @{ $point->{options} },
-                '--bench',      $frames,
-                '--output',     $picture
+                '--redraw',     '--bench', $frames, '--output', $picture
             )
         )
     );

@@ -118,6 +118,9 @@ my %OPTIONS = (
         bad     => [ -1, '', '1.5', 'x', 1000000 ],
         allowed => qr/numbers from \d to \d+/,
     },
+    plan       => { steps => [ 1 .. 5 ], check => \&check_plan },
+    'keep-all' => { steps => [ 1 .. 5 ], check => \&check_keep_all },
+    redraw     => { steps => [ 1 .. 5 ], check => \&check_redraw },
     bias => {
         steps   => [ 1 .. 4 ],
         differ  => [ '0.05', '-1' ],
@@ -417,6 +420,62 @@ sub check_bench {
     ok( -e 'timed.png' && slurp('timed.png') eq $plain,
         "step $step: --bench draws the same picture" );
     unlink 'timed.png';
+    return;
+}
+
+# The table has a row for each pass and each layer, and says why.
+sub check_plan {
+    my ( $step, $plain ) = @_;
+    my @small   = qw(--size 160x90 --output planned.png --plan);
+    my $run     = run( $step, @small );
+    my ($table) = $run->{out} =~ /^(pass +decision .*?\nall .*)$/ms;
+    my $pass    = $step < 3 ? 'depth' : 'moments';
+    like( $table // '',
+        qr/^lookup +kept .*\n$pass, layer 0 +kept +\d+ +\d+ +\w/m,
+        "step $step: --plan prints what is kept" );
+    ok( -e 'planned.png' && slurp('planned.png') eq $plain,
+        "step $step: --plan draws the same picture" );
+    $run = run( $step, @small, qw(--scene offstage) );
+    like( $run->{out},
+        qr/^lookup +left out .*\n$pass, layer 0 +left out +262144 +\d+ +\w/m,
+        "step $step: --plan prints what is left out" );
+    unlink 'planned.png';
+    return;
+}
+
+sub check_keep_all {
+    my ( $step, $plain ) = @_;
+    is( draw( $step, '--keep-all' ),
+        $plain, "step $step: --keep-all draws the same picture" );
+    my $run = run( $step, qw(--size 160x90 --output kept.png --plan),
+        qw(--scene offstage --keep-all) );
+    like( $run->{out}, qr/^lookup +kept .*--keep-all\n.*layer 0 +kept +0 /m,
+        "step $step: --keep-all keeps all" );
+    unlink 'kept.png';
+    return;
+}
+
+# The median time of the pass that draws the map, or nothing.
+sub map_time {
+    my ( $step, @options ) = @_;
+    my $run = run( $step,
+        qw(--size 160x90 --bench 3 --output timed.png), @options );
+    unlink 'timed.png';
+    my ($time) = $run->{out} =~ /^(?:depth|moments),([\d.]+),/m;
+    return $time;
+}
+
+# A map that is drawn takes milliseconds, one that is not microseconds.
+sub check_redraw {
+    my ( $step, $plain ) = @_;
+    is( draw( $step, '--redraw' ),
+        $plain, "step $step: --redraw draws the same picture" );
+    my ( $once, $always, $kept ) =
+      map { map_time( $step, @$_ ) } [], ['--redraw'], ['--keep-all'];
+    cmp_ok( 5 * $once, '<', $always, "step $step: the map is drawn once" );
+    cmp_ok( 5 * $once, '<', $kept,   "step $step: but for --keep-all" );
+    is( map_time( $step, qw(--scene offstage --redraw) ),
+        undef, "step $step: no map where nothing looks it up" );
     return;
 }
 
@@ -721,8 +780,8 @@ sub check_help {
     my @silent = $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my @expected_silent =
       grep { !exists $OPTIONS{$_} || has_option( $step, $_ ) }
-      qw(adaptive bilinear deferred dump help hybrid light list-scenes mips sat
-      shaders slope-term soft window);
+      qw(adaptive bilinear deferred dump help hybrid keep-all light list-scenes
+      mips plan redraw sat shaders slope-term soft window);
     is( join( ' ', sort @silent ),
         "@expected_silent", "step $step: --help prints every default" );
     return;

@@ -1,0 +1,104 @@
+#include "step1_shadowmap/map_plan.h"
+
+#include <string.h> // memset
+
+// Fowler, Noll and Vo's hash, 64 bits: a change that it misses is once in
+// 2^64.
+static void add_to_stamp(uint64_t *stamp, const void *data, size_t bytes)
+{
+    const unsigned char *byte = data;
+    for (size_t i = 0; i < bytes; i++) {
+        *stamp = (*stamp ^ byte[i]) * 0x100000001b3;
+    }
+}
+
+// What a layer's texels are made from: the view, to the last bit, and the
+// objects. The origin is the camera, so a camera that moves changes every map
+// in its last bits: such a map is another one.
+static uint64_t stamp_layer(const Facts *facts, int layer, const DrawList *list)
+{
+    const Views *views = facts->views;
+    const LightView *view = &views->light[layer];
+    uint64_t stamp = 0xcbf29ce484222325;
+    add_to_stamp(&stamp, views->origin, sizeof views->origin);
+    add_to_stamp(&stamp, views->light_position, sizeof views->light_position);
+    add_to_stamp(&stamp, &views->depth_per_distance,
+                 sizeof views->depth_per_distance);
+    add_to_stamp(&stamp, view->map_from_relative,
+                 sizeof view->map_from_relative);
+    add_to_stamp(&stamp, view->depth_from_relative,
+                 sizeof view->depth_from_relative);
+    for (int i = 0; i < list->count; i++) {
+        const Object *object = &facts->scene->objects[list->objects[i]];
+        add_to_stamp(&stamp, &object->mesh, sizeof object->mesh);
+        add_to_stamp(&stamp, object->transform, sizeof object->transform);
+    }
+    return stamp;
+}
+
+static void add_row(const LayerPlan *layer, int number, Facts *facts,
+                    const char *pass, size_t texel_bytes)
+{
+    const int *size = facts->size;
+    size_t all = (size_t)size[0] * (size_t)size[1];
+    size_t saved = all - rect_texels(&layer->rect);
+    if (rect_is_empty(&layer->rect)) {
+        plan_add(&facts->plan, pass, number, false, saved, texel_bytes,
+                 "no visible receiver looks it up");
+    } else {
+        plan_add(&facts->plan, pass, number, true, saved, texel_bytes,
+                 "%dx%d of %dx%d texels are read; %d of %d objects",
+                 layer->rect.high[0] - layer->rect.low[0],
+                 layer->rect.high[1] - layer->rect.low[1], size[0], size[1],
+                 layer->list.count, facts->scene->object_count);
+    }
+}
+
+void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
+                     const char *pass, size_t texel_bytes)
+{
+    plan->scene = facts->scene;
+    plan->views = facts->views;
+    plan->layer_count = facts->layer_count;
+    plan->always = facts->redraw;
+    for (int i = 0; i < facts->layer_count; i++) {
+        LayerPlan *layer = &plan->layers[i];
+        layer->rect = needed[i];
+        facts_list_casters(&layer->list, facts, i, &layer->rect);
+        layer->stamp = stamp_layer(facts, i, &layer->list);
+        layer->draw = !rect_is_empty(&layer->rect) &&
+                      (plan->always || layer->stamp != layer->drawn_stamp ||
+                       !rect_holds(&layer->drawn, &layer->rect));
+        add_row(layer, i, facts, pass, texel_bytes);
+    }
+}
+
+void map_plan_keep_all(MapPlan *plan, const Facts *facts)
+{
+    for (int i = 0; i < facts->layer_count; i++) {
+        LayerPlan *layer = &plan->layers[i];
+        layer->rect = rect_whole(facts->size[0], facts->size[1]);
+        layer->list = facts->views->light[i].seen;
+        layer->draw = true;
+    }
+}
+
+void map_plan_done(MapPlan *plan)
+{
+    for (int i = 0; i < plan->layer_count; i++) {
+        LayerPlan *layer = &plan->layers[i];
+        if (layer->draw) {
+            layer->drawn_stamp = layer->stamp;
+            layer->drawn = layer->rect;
+            layer->draw = plan->always;
+        }
+    }
+}
+
+void map_plan_forget(MapPlan *plan)
+{
+    for (int i = 0; i < plan->layer_count; i++) {
+        plan->layers[i].drawn_stamp = 0;
+        plan->layers[i].draw = !rect_is_empty(&plan->layers[i].rect);
+    }
+}

@@ -1,0 +1,44 @@
+// What of the map is drawn, and when again: decided from the facts.
+#ifndef STEP1_MAP_PLAN_H
+#define STEP1_MAP_PLAN_H
+
+#include <stdint.h> // uint64_t
+
+#include "step1_shadowmap/base/facts.h" // Facts
+#include "step1_shadowmap/base/plan.h"  // Plan
+
+typedef struct LayerPlan {
+    Rect rect;     // the texels that are drawn; empty: the layer is left out
+    DrawList list; // the objects that are drawn into them
+    bool draw;     // in this frame
+    // What the drawn texels were made from (see stamp_layer()) and which they
+    // were, when they were last drawn; 0: never.
+    uint64_t stamp, drawn_stamp;
+    Rect drawn;
+} LayerPlan;
+
+typedef struct MapPlan {
+    const Scene *scene;
+    const Views *views;
+    LayerPlan layers[VIEW_MAX_LAYERS];
+    int layer_count;
+    bool always; // drawn in every frame, although nothing has changed
+} MapPlan;
+
+// Decides for each layer, and adds its rows to the facts' plan. `pass` is the
+// pass's name, `needed` what the later passes read of each layer, `texel_bytes`
+// the size of a texel. All zero before the first time; what was drawn is
+// remembered from one call to the next.
+void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
+                     const char *pass, size_t texel_bytes);
+
+// Everything is to be drawn, once, whatever was decided.
+void map_plan_keep_all(MapPlan *plan, const Facts *facts);
+
+// The layers that were to be drawn have been.
+void map_plan_done(MapPlan *plan);
+
+// Everything is drawn again, for the shaders have changed.
+void map_plan_forget(MapPlan *plan);
+
+#endif
