@@ -64,22 +64,13 @@ void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
     for (int i = 0; i < facts->layer_count; i++) {
         LayerPlan *layer = &plan->layers[i];
         layer->rect = needed[i];
+        layer->looked_up = facts->layers[i].looked_up;
         facts_list_casters(&layer->list, facts, i, &layer->rect);
         layer->stamp = stamp_layer(facts, i, &layer->list);
         layer->draw = !rect_is_empty(&layer->rect) &&
                       (plan->always || layer->stamp != layer->drawn_stamp ||
-                       !rect_holds(&layer->drawn, &layer->rect));
+                       !rect_holds(&layer->drawn_for, &layer->looked_up));
         add_row(layer, i, facts, pass, texel_bytes);
-    }
-}
-
-void map_plan_keep_all(MapPlan *plan, const Facts *facts)
-{
-    for (int i = 0; i < facts->layer_count; i++) {
-        LayerPlan *layer = &plan->layers[i];
-        layer->rect = rect_whole(facts->size[0], facts->size[1]);
-        layer->list = facts->views->light[i].seen;
-        layer->draw = true;
     }
 }
 
@@ -89,7 +80,7 @@ void map_plan_done(MapPlan *plan)
         LayerPlan *layer = &plan->layers[i];
         if (layer->draw) {
             layer->drawn_stamp = layer->stamp;
-            layer->drawn = layer->rect;
+            layer->drawn_for = layer->looked_up;
             layer->draw = plan->always;
         }
     }

@@ -8,13 +8,15 @@
 #include "step1_shadowmap/base/plan.h"  // Plan
 
 typedef struct LayerPlan {
-    Rect rect;     // the texels that are drawn; empty: the layer is left out
-    DrawList list; // the objects that are drawn into them
-    bool draw;     // in this frame
-    // What the drawn texels were made from (see stamp_layer()) and which they
-    // were, when they were last drawn; 0: never.
+    Rect rect;      // the texels that are drawn; empty: the layer is left out
+    DrawList list;  // the objects that are drawn into them
+    bool draw;      // in this frame
+    Rect looked_up; // by receivers
+    // What the texels are made from (see stamp_layer()); and this and that when
+    // they were last drawn, 0 if never. What is filtered of them grows with
+    // what is looked up, so it is as new as they are.
     uint64_t stamp, drawn_stamp;
-    Rect drawn;
+    Rect drawn_for;
 } LayerPlan;
 
 typedef struct MapPlan {
@@ -31,9 +33,6 @@ typedef struct MapPlan {
 // remembered from one call to the next.
 void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
                      const char *pass, size_t texel_bytes);
-
-// Everything is to be drawn, once, whatever was decided.
-void map_plan_keep_all(MapPlan *plan, const Facts *facts);
 
 // The layers that were to be drawn have been.
 void map_plan_done(MapPlan *plan);

@@ -81,7 +81,7 @@ void shadow_map_draw_layer(const ShadowMap *map, int layer,
     // What is before the near plane of a split still casts into it.
     glEnable(GL_DEPTH_CLAMP);
     glViewport(0, 0, map->width, map->height);
-    gl_limit(part->rect.low, part->rect.high);
+    gl_limit(&part->rect);
     glUseProgram(program);
     view_set_light(program, plan->views);
     glUniform2f(glGetUniformLocation(program, "map_size"), (float)map->width,

@@ -43,15 +43,20 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
-// Where the light sees the scene from, and what the picture needs of that.
-static void look(void)
+// What of the map the picture needs.
+static void decide(void)
 {
     Rect needed[VIEW_MAX_LAYERS];
-    views_fit(&state.views, &state.scene, &state.base, REACH);
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
     facts_needed(&state.facts, REACH, needed);
     map_plan_decide(&state.map_plan, &state.facts, needed, "moments",
                     gl_texel_bytes(moments_format(&state.moments)));
+}
+
+static void look(void)
+{
+    views_fit(&state.views, &state.scene, &state.base, REACH);
+    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    decide();
 }
 
 static void create(void)
@@ -93,14 +98,15 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        // The picture is made; the files hold the whole map.
-        map_plan_keep_all(&state.map_plan, &state.facts);
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
-        moments_dump(&state.map, &state.geometry, &state.map_plan,
-                     state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
                         &state.facts, &state.stopwatch, state.map.bytes});
+        // The picture is made; the files hold the whole map.
+        facts_keep_all(&state.facts);
+        decide();
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
+        moments_dump(&state.map, &state.geometry, &state.map_plan,
+                     state.base.dump);
     }
     scene_draw_write(&state.picture, state.base.output);
     stopwatch_print(&state.stopwatch, state.base.bench);

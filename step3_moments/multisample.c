@@ -102,7 +102,7 @@ void multisample_draw(const Multisample *multisample, const ShadowMap *map,
         glUseProgram(resolve->id);
         glUniform1i(glGetUniformLocation(resolve->id, "count"),
                     multisample->samples);
-        gl_limit(part->rect.low, part->rect.high);
+        gl_limit(&part->rect);
         draw_texels(multisample, resolve, map->framebuffers[layer]);
         gl_unlimit();
     }

@@ -145,37 +145,46 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
     return blur;
 }
 
-// Draws every layer of the target from the same layer of the source.
+// The texels that a pass writes, by layer, of the layers that the plan draws.
+typedef struct Part {
+    const Rect *rects;
+    const MapPlan *plan;
+} Part;
+
+// Draws these of the target from the same layer of the source.
 static void draw_layers(const Blur *blur, GLuint program, GLuint source,
-                        const BlurTarget *target)
+                        const BlurTarget *target, Part part)
 {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, source);
     glUniform1i(glGetUniformLocation(program, "map"), 0);
     for (int layer = 0; layer < blur->layers; layer++) {
-        glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffers[layer]);
-        glUniform1i(glGetUniformLocation(program, "layer"), layer);
-        gl_draw_fullscreen(blur->empty_vao);
+        if (part.plan->layers[layer].draw) {
+            gl_limit(&part.rects[layer]);
+            glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffers[layer]);
+            glUniform1i(glGetUniformLocation(program, "layer"), layer);
+            gl_draw_fullscreen(blur->empty_vao);
+        }
     }
+    gl_unlimit();
 }
 
-static void downsample(const Blur *blur, GLuint source)
+static void downsample(const Blur *blur, GLuint source, Part part)
 {
     GLuint program = blur->downsample_program.id;
     glUseProgram(program);
     glUniform1i(glGetUniformLocation(program, "factor"), blur->factor);
-    draw_layers(blur, program, source, &blur->small);
+    draw_layers(blur, program, source, &blur->small, part);
 }
 
 static void blur_along(const Blur *blur, int axis, int filter, GLuint source,
-                       const BlurTarget *target)
+                       const BlurTarget *target, Part part)
 {
     GLuint program = blur->blur_program.id;
     const int *sides = blur->filters[filter].sides;
     if (blur->running) {
-        const int size[2] = {blur->width, blur->height};
-        running_box_apply(program, source, target->texture, size, blur->layers,
-                          axis, sides);
+        running_box_apply(program, source, target->texture, part.rects,
+                          part.plan, axis, sides);
         return;
     }
     glUseProgram(program);
@@ -184,39 +193,43 @@ static void blur_along(const Blur *blur, int axis, int filter, GLuint source,
     glUniform1i(glGetUniformLocation(program, "weights"), 1);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, blur->weights[filter]);
-    draw_layers(blur, program, source, target);
+    draw_layers(blur, program, source, target, part);
 }
 
 // All filters along u, then all along v: an even number, between two targets.
-static GLuint blur_axes(const Blur *blur, GLuint source)
+static GLuint blur_axes(const Blur *blur, GLuint source, const BlurRects *rects,
+                        const MapPlan *plan)
 {
     const BlurTarget *targets[] = {&blur->horizontal, &blur->vertical};
     int count = blur->filter_count;
     for (int i = 0; i < 2 * count; i++) {
         const BlurTarget *target = targets[i % 2];
-        blur_along(blur, i / count, i % count, source, target);
+        blur_along(blur, i / count, i % count, source, target,
+                   (Part){rects->passes[i], plan});
         source = target->texture;
     }
     return source;
 }
 
-GLuint blur_apply(const Blur *blur, const MomentsMap *moments)
+GLuint blur_apply(const Blur *blur, const MomentsMap *moments,
+                  const BlurRects *rects, const MapPlan *plan)
 {
     GLuint result = moments->texels.texture;
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, blur->width, blur->height);
     if (blur->downsample_program.id != 0) {
-        downsample(blur, result);
+        downsample(blur, result, (Part){rects->small, plan});
         result = blur->small.texture;
     }
     if (blur->radius > 0) {
-        result = blur_axes(blur, result);
+        result = blur_axes(blur, result, rects, plan);
     }
     if (blur->mips.levels > 0) {
-        mips_apply(&blur->mips, result, blur->empty_vao);
+        mips_apply(&blur->mips, result, blur->empty_vao, rects->levels, plan);
     }
     if (blur->sat.layers > 0) {
-        result = sat_apply(&blur->sat, result, blur->empty_vao);
+        result = sat_apply(&blur->sat, result, blur->empty_vao,
+                           rects->levels[0], plan);
     }
     return result;
 }

@@ -93,9 +93,18 @@ typedef struct Blur {
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
                  const MomentsSettings *moments, const MomentsMap *moments_map);
 
-// Filters every layer and returns the texture that holds the result: the
-// moments themselves where there is nothing to do.
-GLuint blur_apply(const Blur *blur, const MomentsMap *moments);
+// By layer, the texels that each pass writes of its own target; what the result
+// is comes first of its levels.
+typedef struct BlurRects {
+    Rect small[VIEW_MAX_LAYERS];
+    Rect passes[2 * BLUR_MAX_FILTERS][VIEW_MAX_LAYERS]; // of the blur
+    Rect levels[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS];
+} BlurRects;
+
+// Filters the layers that the plan draws and returns the texture that holds the
+// result: the moments themselves where there is nothing to do.
+GLuint blur_apply(const Blur *blur, const MomentsMap *moments,
+                  const BlurRects *rects, const MapPlan *plan);
 
 enum { BLUR_MAX_SHADERS = 8 };
 
@@ -108,6 +117,10 @@ extern const char blur_sat_lookup[];
 void blur_picture_shaders(const BlurSettings *settings,
                           const MomentsSettings *moments,
                           const char *visibility, const char *files[]);
+
+// The coarsest level that the picture looks up of a filtered map of this size.
+int blur_last_level(const BlurSettings *settings, const Views *views,
+                    const int size[2]);
 
 // Sets the uniforms of these files.
 void blur_set_lookup(const Blur *blur, const Views *views, GLuint program);

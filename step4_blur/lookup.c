@@ -52,28 +52,36 @@ void blur_picture_shaders(const BlurSettings *settings,
 // of a point light's face. Nothing was drawn beyond its border: the seams would
 // show. No other light's map ends where receivers are: of splits the next one
 // has taken over before.
-static double free_texels(const Blur *blur, const Views *views)
+static double free_texels(const Views *views, int factor, int radius)
 {
     bool point = views->light_position[3] != 0 && views->layers > 1;
-    return point ? views->border / blur->factor - blur->radius : 1e9;
+    return point ? views->border / factor - radius : 1e9;
 }
 
 // The coarsest level that stays within these texels. In texels of the finest,
 // one of level k holds 1.5 (2^k - 1) to both sides of its centre, for 1 3 3 1
 // adds 1.5 of each level's own, and a bilinear lookup adds 2^k.
-static int last_level(const Blur *blur, double free)
+static int last_level(int levels, double free)
 {
-    int last = blur->mips.levels - 1;
+    int last = levels - 1;
     while (last > 0 && 2.5 * (1 << last) - 1.5 > free) {
         last--;
     }
     return last;
 }
 
+int blur_last_level(const BlurSettings *settings, const Views *views,
+                    const int size[2])
+{
+    return last_level(
+        mips_count(size),
+        free_texels(views, settings->downsample, blur_used_radius(settings)));
+}
+
 static void set_levels(const Blur *blur, const Views *views, GLuint program)
 {
-    double free = free_texels(blur, views);
-    int last = last_level(blur, free);
+    double free = free_texels(views, blur->factor, blur->radius);
+    int last = last_level(blur->mips.levels, free);
     if (blur->hardware) {
         mips_limit_sampler(&blur->mips, last);
     }

@@ -6,17 +6,25 @@
 #include "step1_shadowmap/base/die.h"  // die_usage
 #include "step1_shadowmap/base/dump.h" // dump_image
 
+int mips_count(const int size[2])
+{
+    int count = 1;
+    while ((size[0] >> (count - 1)) % 2 == 0 &&
+           (size[1] >> (count - 1)) % 2 == 0 && count < MIPS_MAX_LEVELS) {
+        count++;
+    }
+    return count;
+}
+
 static void add_levels(Mips *mips, GLenum format)
 {
+    const int size[2] = {mips->width, mips->height};
     size_t texel = gl_texel_bytes(format);
-    int width = mips->width, height = mips->height;
-    mips->levels = 1;
-    while (width % 2 == 0 && height % 2 == 0 &&
-           mips->levels < MIPS_MAX_LEVELS) {
-        width /= 2;
-        height /= 2;
-        glTexImage3D(GL_TEXTURE_2D_ARRAY, mips->levels++, (GLint)format, width,
-                     height, mips->layers, 0, GL_RED, GL_FLOAT, NULL);
+    mips->levels = mips_count(size);
+    for (int level = 1; level < mips->levels; level++) {
+        int width = size[0] >> level, height = size[1] >> level;
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, width, height,
+                     mips->layers, 0, GL_RED, GL_FLOAT, NULL);
         mips->bytes +=
             texel * (size_t)width * (size_t)height * (size_t)mips->layers;
     }
@@ -86,7 +94,8 @@ void mips_limit_sampler(const Mips *mips, int last)
     glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LOD, (GLfloat)last);
 }
 
-void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao)
+void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao,
+                const Rect levels[][VIEW_MAX_LAYERS], const MapPlan *plan)
 {
     GLuint program = mips->program.id;
     glUseProgram(program);
@@ -97,11 +106,16 @@ void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao)
         limit_levels(level - 1, level - 1);
         glViewport(0, 0, mips->width >> level, mips->height >> level);
         for (int layer = 0; layer < mips->layers; layer++) {
-            glBindFramebuffer(GL_FRAMEBUFFER, mips->framebuffers[level][layer]);
-            glUniform1i(glGetUniformLocation(program, "layer"), layer);
-            gl_draw_fullscreen(empty_vao);
+            if (plan->layers[layer].draw) {
+                gl_limit(&levels[level][layer]);
+                glBindFramebuffer(GL_FRAMEBUFFER,
+                                  mips->framebuffers[level][layer]);
+                glUniform1i(glGetUniformLocation(program, "layer"), layer);
+                gl_draw_fullscreen(empty_vao);
+            }
         }
     }
+    gl_unlimit();
     limit_levels(0, mips->levels - 1);
 }
 

@@ -3,8 +3,8 @@
 #ifndef STEP4_MIPS_H
 #define STEP4_MIPS_H
 
-#include "step1_shadowmap/base/gl.h"   // Program
-#include "step1_shadowmap/base/view.h" // VIEW_MAX_LAYERS
+#include "step1_shadowmap/base/gl.h"  // Program
+#include "step1_shadowmap/map_plan.h" // MapPlan
 
 enum { MIPS_MAX_LEVELS = 16 };
 
@@ -17,6 +17,9 @@ typedef struct Mips {
     int levels; // 0: there is no chain
     size_t bytes;
 } Mips;
+
+// How many levels there are of a texture of this size.
+int mips_count(const int size[2]);
 
 // Adds the levels to an array texture. Each is half as wide and high as the
 // one before; the last is the one that cannot be halved without a rest, for a
@@ -33,8 +36,10 @@ void mips_use_sampler(const Mips *mips, int anisotropy);
 // The coarsest level that the texture unit reads.
 void mips_limit_sampler(const Mips *mips, int last);
 
-// Fills levels 1 and on, each from the one before.
-void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao);
+// Fills levels 1 and on, each from the one before: of the layers that the plan
+// draws, in each level those texels.
+void mips_apply(const Mips *mips, GLuint texture, GLuint empty_vao,
+                const Rect levels[][VIEW_MAX_LAYERS], const MapPlan *plan);
 
 // Writes level K >= 1 of layer L as directory/blurred.L.mK.exr.
 void mips_dump(const Mips *mips, GLuint texture, const char *directory);

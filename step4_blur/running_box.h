@@ -3,17 +3,20 @@
 #ifndef STEP4_RUNNING_BOX_H
 #define STEP4_RUNNING_BOX_H
 
-#include "step3_moments/moments.h" // MomentsSettings
+#include "step1_shadowmap/map_plan.h" // MapPlan, Rect
+#include "step3_moments/moments.h"    // MomentsSettings
 
 // Made of the moments' own way to merge them: no number is rounded more often
 // than where fragments add up the whole box.
 Program running_box_program(ShaderFiles files, const MomentsSettings *moments);
 
-// Fills every layer of the target, an array texture of 32-bit floats, with the
-// means of the source over a box along one axis (0: u, 1: v): so many texels
-// before and after the one in the middle.
+// Fills these texels of the layers that the plan draws, by layer, and up to a
+// box more to each side along the axis. The target is an array texture of
+// 32-bit floats; it gets the means of the source over a box along one axis (0:
+// u, 1: v): so many texels before and after the one in the middle. What is
+// filled beside the texels asked for may be of texels that nothing has written.
 void running_box_apply(GLuint program, GLuint source, GLuint target,
-                       const int size[2], int layers, int axis,
+                       const Rect texels[], const MapPlan *plan, int axis,
                        const int sides[2]);
 
 #endif

@@ -65,6 +65,11 @@ static void create_fragments(Sat *sat)
     }
 }
 
+bool sat_uses_compute(const char *by)
+{
+    return gl_has_compute() && strcmp(by, "fragments") != 0;
+}
+
 Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
                const char *by)
 {
@@ -74,7 +79,7 @@ Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
                .layers = layers,
                .box_width = 2 * radius + 1,
                .steps = count_steps(2 * radius + 1)};
-    bool compute = gl_has_compute() && strcmp(by, "fragments") != 0;
+    bool compute = sat_uses_compute(by);
     if (strcmp(by, "compute") == 0 && !compute) {
         die_usage("--sat-by compute needs OpenGL 4.3, and this driver has no "
                   "compute shaders: drop --sat-by");
@@ -88,38 +93,53 @@ Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
     return sat;
 }
 
-// Draws every layer of table `target`.
+// What of each layer is summed.
+typedef struct Part {
+    const Rect *texels; // by layer
+    const MapPlan *plan;
+    GLuint empty_vao;
+} Part;
+
+// Draws the layers of table `target`.
 static void draw_layers(const Sat *sat, GLuint program, GLuint source,
-                        int target, GLuint empty_vao)
+                        int target, const Part *part)
 {
     glBindTexture(GL_TEXTURE_2D_ARRAY, source);
     for (int layer = 0; layer < sat->layers; layer++) {
+        const Rect *texels = &part->texels[layer];
+        if (!part->plan->layers[layer].draw) {
+            continue;
+        }
+        gl_limit(texels);
         glBindFramebuffer(GL_FRAMEBUFFER, sat->framebuffers[target][layer]);
         glUniform1i(glGetUniformLocation(program, "layer"), layer);
-        gl_draw_fullscreen(empty_vao);
+        glUniform2iv(glGetUniformLocation(program, "first"), 1, texels->low);
+        gl_draw_fullscreen(part->empty_vao);
     }
+    gl_unlimit();
 }
 
 // Sums along one axis; takes and returns the index of the newer table.
-static int sum_axis(const Sat *sat, int newer, int axis, GLuint empty_vao)
+static int sum_axis(const Sat *sat, int newer, int axis, const Part *part)
 {
     GLuint program = sat->sum_program.id;
     int side = axis == 0 ? sat->width : sat->height;
     glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
     for (int stride = 1; stride < side; stride *= 4) {
         glUniform1i(glGetUniformLocation(program, "stride"), stride);
-        draw_layers(sat, program, sat->textures[newer], 1 - newer, empty_vao);
+        draw_layers(sat, program, sat->textures[newer], 1 - newer, part);
         newer = 1 - newer;
     }
     return newer;
 }
 
-GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao)
+GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao,
+                 const Rect texels[], const MapPlan *plan)
 {
+    const Part part = {texels, plan, empty_vao};
     if (sat->compute.rows.id != 0) {
-        const int size[2] = {sat->width, sat->height};
-        sat_compute_apply(&sat->compute, map, sat->textures[0], size,
-                          sat->layers, sat->steps);
+        sat_compute_apply(&sat->compute, map, sat->textures[0], sat->layers,
+                          sat->steps, texels, plan);
         return sat->textures[0];
     }
     GLuint start = sat->start_program.id;
@@ -128,11 +148,11 @@ GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao)
     glUseProgram(start);
     glUniform1i(glGetUniformLocation(start, "map"), 0);
     glUniform1ui(glGetUniformLocation(start, "steps"), sat->steps);
-    draw_layers(sat, start, map, 0, empty_vao);
+    draw_layers(sat, start, map, 0, &part);
     glUseProgram(sat->sum_program.id);
     glUniform1i(glGetUniformLocation(sat->sum_program.id, "table"), 0);
-    int newer = sum_axis(sat, 0, 0, empty_vao);
-    newer = sum_axis(sat, newer, 1, empty_vao);
+    int newer = sum_axis(sat, 0, 0, &part);
+    newer = sum_axis(sat, newer, 1, &part);
     return sat->textures[newer];
 }
 

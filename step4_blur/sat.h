@@ -3,9 +3,9 @@
 #ifndef STEP4_SAT_H
 #define STEP4_SAT_H
 
-#include "step1_shadowmap/base/gl.h"   // Program
-#include "step1_shadowmap/base/view.h" // VIEW_MAX_LAYERS
-#include "step4_blur/sat_compute.h"    // SatCompute
+#include "step1_shadowmap/base/gl.h"  // Program
+#include "step1_shadowmap/map_plan.h" // MapPlan
+#include "step4_blur/sat_compute.h"   // SatCompute
 
 // A table, and the one that the next pass writes.
 typedef struct Sat {
@@ -28,9 +28,14 @@ typedef struct Sat {
 Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
                const char *by);
 
-// Sums every layer of the map (moments in red and green) and returns the
-// table.
-GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao);
+// Whether compute shaders sum, of what --sat-by says.
+bool sat_uses_compute(const char *by);
+
+// Sums the layers of the map (moments in red and green) that the plan draws and
+// returns the table, which has sums of these texels alone: what is left of them
+// or below counts as 0, so boxes within them come out the same to the last bit.
+GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao,
+                 const Rect texels[], const MapPlan *plan);
 
 // Sets the uniforms of sat_box.glsl and lookup_sat.glsl.
 void sat_set_lookup(const Sat *sat, GLuint program);

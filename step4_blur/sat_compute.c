@@ -16,17 +16,26 @@ SatCompute sat_compute_create(ShaderFiles files)
                         .columns = gl_compute_program(files, columns)};
 }
 
-// Sums `lines` rows or columns of every layer.
-static void sum_lines(GLuint program, int lines, int layers)
+// Sums the lines along one axis of every layer.
+static void sum_lines(GLuint program, int axis, int layers, const Rect texels[],
+                      const MapPlan *plan)
 {
     for (int layer = 0; layer < layers; layer++) {
+        const Rect *rect = &texels[layer];
+        int lines = rect->high[1 - axis] - rect->low[1 - axis];
+        if (!plan->layers[layer].draw || rect_is_empty(rect)) {
+            continue;
+        }
         glUniform1i(glGetUniformLocation(program, "layer"), layer);
+        glUniform2iv(glGetUniformLocation(program, "first"), 1, rect->low);
+        glUniform2iv(glGetUniformLocation(program, "end"), 1, rect->high);
         glDispatchCompute((GLuint)((lines + GROUP - 1) / GROUP), 1, 1);
     }
 }
 
 void sat_compute_apply(const SatCompute *compute, GLuint map, GLuint table,
-                       const int size[2], int layers, GLuint steps)
+                       int layers, GLuint steps, const Rect texels[],
+                       const MapPlan *plan)
 {
     GLuint rows = compute->rows.id;
     glBindImageTexture(0, table, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG32UI);
@@ -35,10 +44,10 @@ void sat_compute_apply(const SatCompute *compute, GLuint map, GLuint table,
     glUseProgram(rows);
     glUniform1i(glGetUniformLocation(rows, "map"), 0);
     glUniform1ui(glGetUniformLocation(rows, "steps"), steps);
-    sum_lines(rows, size[1], layers);
+    sum_lines(rows, 0, layers, texels, plan);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     glUseProgram(compute->columns.id);
-    sum_lines(compute->columns.id, size[0], layers);
+    sum_lines(compute->columns.id, 1, layers, texels, plan);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

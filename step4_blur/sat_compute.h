@@ -4,7 +4,8 @@
 #ifndef STEP4_SAT_COMPUTE_H
 #define STEP4_SAT_COMPUTE_H
 
-#include "step1_shadowmap/base/gl.h" // Program
+#include "step1_shadowmap/base/gl.h"  // Program
+#include "step1_shadowmap/map_plan.h" // MapPlan
 
 // None (all zero) where fragments make the table.
 typedef struct SatCompute {
@@ -14,10 +15,11 @@ typedef struct SatCompute {
 
 SatCompute sat_compute_create(ShaderFiles files);
 
-// Sums every layer of the map into the table, an array texture of two 32-bit
-// whole numbers of the same size; `steps` as in sat.h.
+// Sums these texels of the layers that the plan draws into the table, an array
+// texture of two 32-bit whole numbers of the map's size; `steps` as in sat.h.
 void sat_compute_apply(const SatCompute *compute, GLuint map, GLuint table,
-                       const int size[2], int layers, GLuint steps);
+                       int layers, GLuint steps, const Rect texels[],
+                       const MapPlan *plan);
 
 bool sat_compute_reload(SatCompute *compute);
 

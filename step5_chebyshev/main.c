@@ -3,13 +3,13 @@
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/facts.h"      // facts_collect
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw_dump
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
 #include "step3_moments/moments.h"           // moments_draw
 #include "step4_blur/blur.h"                 // blur_apply
+#include "step4_blur/blur_plan.h"            // blur_plan_decide
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_settings
 #include "step5_chebyshev/deferred.h"        // deferred_draw
 #include "step5_chebyshev/shading.h"         // shading_picture
@@ -26,6 +26,7 @@ static struct {
     Views views;
     Facts facts;
     MapPlan map_plan;
+    BlurPlan blur_plan;
     Geometry geometry;
     MomentsMap map;
     Blur filter;
@@ -56,15 +57,20 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
-// Where the light sees the scene from, and what the picture needs of that.
+// What of the maps the picture needs.
+static void decide(void)
+{
+    size_t bytes = gl_texel_bytes(moments_format(&state.moments));
+    blur_plan_decide(&state.blur_plan, &state.blur, &state.facts, bytes);
+    map_plan_decide(&state.map_plan, &state.facts, state.blur_plan.moments,
+                    "moments", bytes);
+}
+
 static void look(void)
 {
-    Rect needed[VIEW_MAX_LAYERS];
-    shading_fit(&state.shading, &state.views, &state.scene, &state.base);
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    facts_needed(&state.facts, state.views.width + state.views.height, needed);
-    map_plan_decide(&state.map_plan, &state.facts, needed, "moments",
-                    gl_texel_bytes(moments_format(&state.moments)));
+    shading_fit(&state.shading, &state.views, &state.facts, &state.scene,
+                &state.base);
+    decide();
 }
 
 static void create(void)
@@ -91,7 +97,8 @@ static void draw_frame(void)
     if (state.facts.lookups) {
         moments_draw(&state.map, &state.geometry, &state.map_plan);
         stopwatch_lap(&state.stopwatch, "moments");
-        state.filtered = blur_apply(&state.filter, &state.map);
+        state.filtered = blur_apply(&state.filter, &state.map,
+                                    &state.blur_plan.write, &state.map_plan);
         stopwatch_lap(&state.stopwatch, "blur");
         map_plan_done(&state.map_plan);
     }
@@ -106,17 +113,19 @@ static void draw_frame(void)
 static void write_files(void)
 {
     if (state.base.dump != NULL) {
-        // The picture is made; the files hold the whole map.
-        map_plan_keep_all(&state.map_plan, &state.facts);
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
-        state.filtered = blur_apply(&state.filter, &state.map);
-        moments_dump(&state.map, &state.geometry, &state.map_plan,
-                     state.base.dump);
-        blur_dump(&state.filter, state.filtered, state.base.dump);
         scene_draw_dump(&state.picture, state.base.dump);
         dump_run(&(Run){&state.base, state.options, &state.scene.light,
                         &state.facts, &state.stopwatch,
                         state.map.bytes + state.filter.bytes});
+        // The picture is made; the files hold the whole map.
+        facts_keep_all(&state.facts);
+        decide();
+        moments_draw(&state.map, &state.geometry, &state.map_plan);
+        state.filtered = blur_apply(&state.filter, &state.map,
+                                    &state.blur_plan.write, &state.map_plan);
+        moments_dump(&state.map, &state.geometry, &state.map_plan,
+                     state.base.dump);
+        blur_dump(&state.filter, state.filtered, state.base.dump);
     }
     scene_draw_write(&state.picture, state.base.output);
     stopwatch_print(&state.stopwatch, state.base.bench);

@@ -154,8 +154,8 @@ void shading_check(const ShadingSettings *settings, const BaseSettings *base,
     }
 }
 
-void shading_fit(ShadingSettings *settings, Views *views, const Scene *scene,
-                 const BaseSettings *base)
+void shading_fit(ShadingSettings *settings, Views *views, Facts *facts,
+                 const Scene *scene, const BaseSettings *base)
 {
     if (settings->reach == 0) {
         settings->reach =
@@ -164,6 +164,10 @@ void shading_fit(ShadingSettings *settings, Views *views, const Scene *scene,
                 : blur_reach(settings->blur);
     }
     views_fit(views, scene, base, settings->reach);
+    facts_collect(facts, scene, views, base);
+    if (settings->soft) {
+        facts_look_everywhere(facts);
+    }
 }
 
 // Puts the adaptive box's lookup, and the footprint that this one asks for, in

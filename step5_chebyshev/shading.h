@@ -38,9 +38,10 @@ MomentsSettings shading_moments_settings(void);
 void shading_check(const ShadingSettings *settings, const BaseSettings *base,
                    const OptionTable tables[]);
 
-// views_fit with room for the widest lookup, which it finds the first time.
-void shading_fit(ShadingSettings *settings, Views *views, const Scene *scene,
-                 const BaseSettings *base);
+// views_fit with room for the widest lookup, which it finds the first time, and
+// facts_collect. Soft shadows look all of a map up where they look it up.
+void shading_fit(ShadingSettings *settings, Views *views, Facts *facts,
+                 const Scene *scene, const BaseSettings *base);
 
 enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 

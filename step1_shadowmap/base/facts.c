@@ -291,10 +291,21 @@ bool facts_make_maps(const Facts *facts)
     return facts_look_up(facts) || facts->dumped;
 }
 
-static void keep_all(Facts *facts)
+void facts_look_everywhere(Facts *facts)
+{
+    for (int layer = 0; layer < facts->layer_count; layer++) {
+        Rect *looked_up = &facts->layers[layer].looked_up;
+        if (!rect_is_empty(looked_up)) {
+            *looked_up = rect_whole(facts->size[0], facts->size[1]);
+        }
+    }
+}
+
+void facts_keep_all(Facts *facts)
 {
     facts->whole = true;
     facts->lookups = true;
+    facts->plan.count = 0;
     for (int layer = 0; layer < facts->layer_count; layer++) {
         facts->layers[layer] =
             (LayerFacts){rect_whole(facts->size[0], facts->size[1]), INFINITY};
@@ -314,10 +325,10 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                      .redraw = settings->keep_all || settings->redraw};
     const char *why = "--shadows off";
     if (shadows && settings->keep_all) {
-        keep_all(facts);
+        facts_keep_all(facts);
         why = "--keep-all";
     } else if (shadows && base_show_mode(settings)->reads_map) {
-        keep_all(facts);
+        facts_keep_all(facts);
         why = "--show looks up every pixel";
     } else if (shadows) {
         collect_layers(facts, settings->size);

@@ -44,6 +44,12 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
 bool facts_look_up(const Facts *facts);
 bool facts_make_maps(const Facts *facts);
 
+// A lookup may be anywhere in the layers that receivers are in.
+void facts_look_everywhere(Facts *facts);
+
+// From here on everything is needed: nothing of what was decided holds.
+void facts_keep_all(Facts *facts);
+
 // What is read of each layer by lookups that reach so many texels to each side
 // of the receiver's own.
 void facts_needed(const Facts *facts, int reach, Rect needed[]);

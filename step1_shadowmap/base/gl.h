@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h> // size_t
 
+#include "step1_shadowmap/base/rect.h" // Rect
+
 typedef void (*GlFunction)(void);
 typedef GlFunction (*GlLoader)(const char *name);
 
@@ -96,9 +98,9 @@ float *gl_read(GLuint framebuffer, int attachment, int width, int height,
 float *gl_read_layer(GLuint texture, int level, int layer, int width,
                      int height, int channels);
 
-// Limits everything that is drawn and cleared to a rectangle, from low up to
-// high, until gl_unlimit().
-void gl_limit(const int low[2], const int high[2]);
+// Limits everything that is drawn and cleared to a rectangle, until
+// gl_unlimit().
+void gl_limit(const Rect *rect);
 void gl_unlimit(void);
 
 // One triangle that covers the viewport, without any vertex data.

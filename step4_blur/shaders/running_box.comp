@@ -15,9 +15,12 @@ layout(local_size_x = 64) in;
 layout(rg32f) uniform image2DArray blurred;
 uniform ivec2 axis;   // (1, 0) along u, (0, 1) along v
 uniform ivec2 sides;  // texels before and after the one in the middle
+uniform ivec2 lines;  // from the first one up to, not including, another
+uniform ivec2 middles;  // from the first block's start to where boxes' middles
+                        // end
 
 // What lies along one line.
-int line = int(gl_GlobalInvocationID.x);
+int line = lines.x + int(gl_GlobalInvocationID.x);
 int last;  // texel of it
 
 ivec3 place(int along)
@@ -70,13 +73,13 @@ void sum_after(int start, vec2 first)
 void main()
 {
     ivec2 size = imageSize(blurred).xy;
-    bool across = axis.x == 1;
-    last = (across ? size.x : size.y) - 1;
-    if (line >= (across ? size.y : size.x)) {
+    last = (axis.x == 1 ? size.x : size.y) - 1;
+    if (line >= lines.y) {
         return;
     }
     int width = sides.x + 1 + sides.y;
-    for (int start = 0; start - sides.y <= last; start += width) {
+    int start = middles.x;
+    for (; start - sides.y < middles.y; start += width) {
         vec2 first = line_texel(start);
         sum_before(start, first);
         sum_after(start, first);

@@ -5,13 +5,14 @@ layout(local_size_x = 64) in;
 
 layout(rg32ui) uniform uimage2DArray table;
 uniform int layer;
+uniform ivec2 first;  // texels that are summed: from here
+uniform ivec2 end;    // up to here
 
 void main()
 {
-    ivec2 size = imageSize(table).xy;
-    ivec2 texel = ivec2(gl_GlobalInvocationID.x, 0);
+    ivec2 texel = first + ivec2(gl_GlobalInvocationID.x, 0);
     uvec2 sum = uvec2(0u);
-    for (; texel.x < size.x && texel.y < size.y; texel.y++) {
+    for (; texel.x < end.x && texel.y < end.y; texel.y++) {
         sum += imageLoad(table, ivec3(texel, layer)).rg;
         imageStore(table, ivec3(texel, layer), uvec4(sum, 0u, 0u));
     }
