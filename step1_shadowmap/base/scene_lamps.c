@@ -1,7 +1,12 @@
 // Scenes in the light of a lamp: a spot and a point light.
 #include "step1_shadowmap/base/scene_build.h"
 
-#include "step1_shadowmap/base/dvec.h" // RADIANS
+#include <math.h> // cos, sin
+
+#include "step1_shadowmap/base/dvec.h" // dvec_subtract, RADIANS
+
+// The values of a scene's keys, by place.
+enum { ROOM_TURN };
 
 // A teapot on a pedestal between columns, before a folded curtain.
 static void add_set(Scene *scene, const Mesh *box)
@@ -104,11 +109,16 @@ static void add_screen(Scene *scene, const Mesh *box)
 // there is a wall to see it on.
 void scene_build_room(Scene *scene, const double values[])
 {
-    (void)values;
+    double angle = RADIANS(values[ROOM_TURN]);
     const double eye[3] = {-2.3, 1.9, 2.35};
     const double target[3] = {0.45, 1.05, -1.2};
+    double ahead[3];
+    dvec_subtract(target, eye, ahead);
+    const double turned[3] = {
+        eye[0] + cos(angle) * ahead[0] - sin(angle) * ahead[2], target[1],
+        eye[2] + sin(angle) * ahead[0] + cos(angle) * ahead[2]};
     const double lamp[3] = {-0.25, 1.75, -0.1};
-    scene_set_camera(scene, eye, target, 62);
+    scene_set_camera(scene, eye, turned, 62);
     scene_set_local_light(scene, LIGHT_POINT, lamp, target, 1.5);
     const Mesh *box = scene_add_mesh(scene, mesh_box());
     add_walls(scene, box);

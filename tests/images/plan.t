@@ -4,6 +4,7 @@
 # in every step.
 use strict;
 use warnings;
+use File::Temp qw(tempdir);
 use Test::More;
 use VSM;
 
@@ -21,17 +22,49 @@ sub same_pixels {
     return;
 }
 
-my @scenes = qw(teapot edge bleed empty thin fence grazing avenue stage room
-  crowd:triangles=3000 unlit offstage);
-my @few = qw(room offstage unlit);
+# Turned so far, the camera sees into four of the light's six views, two of them
+# at their edge.
+my $turned = 'room:turn=-60';
+my @scenes = (
+    qw(teapot edge bleed empty thin fence grazing avenue stage room), $turned,
+    qw(crowd:triangles=3000 unlit offstage)
+);
 
 for my $step ( 1 .. 5 ) {
     my $all = $ENV{VSM_ALL} || $step == 5;
-    same_pixels( $step, '--scene', $_ ) for $all ? @scenes : @few;
+    same_pixels( $step, '--scene', $_ )
+      for $all ? @scenes : ( $turned, 'offstage' );
 }
 same_pixels( $_, '--scene', 'avenue:turn=40', qw(--splits 4) ) for 2, 5;
-for my $light (qw(spot point)) {
-    same_pixels( 5, '--light', $light, '--scene', $_ ) for qw(empty offstage);
+same_pixels( 5,  '--scene', 'offstage', '--light', $_ ) for qw(spot point);
+
+# Every pass of the filter, and every lookup, in rectangles.
+for my $options (
+    [qw(--radius 0)],
+    [qw(--blur gaussian --radius 9 --downsample 2)],
+    [qw(--mips --radius 0)],
+    [qw(--mips --anisotropy 8)],
+    [qw(--sat)],
+    [qw(--sat --sat-by fragments --sat-width adaptive)],
+    [qw(--moments central --msaa 4)],
+  )
+{
+    same_pixels( 5, '--scene', $turned, @$options );
 }
+
+# The camera before one wall: about ten times faster, with the maps drawn in
+# every frame.
+my $folder = tempdir( CLEANUP => 1 );
+
+sub frame_time {
+    my $run = run( 5, qw(--scene room:turn=-100 --bench 3 --map-size 256),
+        qw(--size 320x180 --output), "$folder/timed.png", @_ );
+    my ($time) = $run->{out} =~ /^total,([\d.]+),/m;
+    return $time // 0;
+}
+
+my ( $planned, $kept ) = ( frame_time('--redraw'), frame_time('--keep-all') );
+cmp_ok( 2 * $planned, '<', $kept,
+    'one wall of a room: less than half of the time' );
 
 done_testing;
