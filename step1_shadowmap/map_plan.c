@@ -55,11 +55,12 @@ static void add_row(const LayerPlan *layer, int number, Facts *facts,
 }
 
 void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
-                     const char *pass, size_t texel_bytes)
+                     const char *pass, GLenum format)
 {
     plan->scene = facts->scene;
     plan->views = facts->views;
     plan->layer_count = facts->layer_count;
+    plan->lookups = facts->lookups;
     plan->always = facts->redraw;
     for (int i = 0; i < facts->layer_count; i++) {
         LayerPlan *layer = &plan->layers[i];
@@ -67,29 +68,51 @@ void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
         layer->looked_up = facts->layers[i].looked_up;
         facts_list_casters(&layer->list, facts, i, &layer->rect);
         layer->stamp = stamp_layer(facts, i, &layer->list);
-        layer->draw = !rect_is_empty(&layer->rect) &&
-                      (plan->always || layer->stamp != layer->drawn_stamp ||
-                       !rect_holds(&layer->drawn_for, &layer->looked_up));
-        add_row(layer, i, facts, pass, texel_bytes);
+        add_row(layer, i, facts, pass, gl_texel_bytes(format));
     }
 }
 
-void map_plan_done(MapPlan *plan)
+void map_plan_decide_within(MapPlan *plan, Facts *facts, int reach,
+                            const char *pass, GLenum format)
+{
+    Rect needed[VIEW_MAX_LAYERS];
+    for (int i = 0; i < facts->layer_count; i++) {
+        needed[i] =
+            rect_grow(&facts->layers[i].looked_up, reach, reach, facts->size);
+    }
+    map_plan_decide(plan, facts, needed, pass, format);
+}
+
+bool map_plan_begin(MapPlan *plan)
 {
     for (int i = 0; i < plan->layer_count; i++) {
         LayerPlan *layer = &plan->layers[i];
+        bool changed = layer->stamp != layer->drawn_stamp ||
+                       !rect_holds(&layer->drawn_for, &layer->looked_up);
+        layer->draw = !rect_is_empty(&layer->rect) && (plan->always || changed);
         if (layer->draw) {
             layer->drawn_stamp = layer->stamp;
             layer->drawn_for = layer->looked_up;
-            layer->draw = plan->always;
         }
     }
+    return plan->lookups;
 }
 
 void map_plan_forget(MapPlan *plan)
 {
     for (int i = 0; i < plan->layer_count; i++) {
         plan->layers[i].drawn_stamp = 0;
-        plan->layers[i].draw = !rect_is_empty(&plan->layers[i].rect);
     }
+}
+
+MapPlan map_plan_whole(const MapPlan *plan)
+{
+    MapPlan whole = *plan;
+    for (int i = 0; i < whole.layer_count; i++) {
+        LayerPlan *layer = &whole.layers[i];
+        layer->rect = rect_whole(plan->views->width, plan->views->height);
+        layer->list = plan->views->light[i].seen;
+        layer->draw = true;
+    }
+    return whole;
 }

@@ -5,12 +5,12 @@
 #include <stdint.h> // uint64_t
 
 #include "step1_shadowmap/base/facts.h" // Facts
-#include "step1_shadowmap/base/plan.h"  // Plan
+#include "step1_shadowmap/base/gl.h"    // GLenum
 
 typedef struct LayerPlan {
     Rect rect;      // the texels that are drawn; empty: the layer is left out
     DrawList list;  // the objects that are drawn into them
-    bool draw;      // in this frame
+    bool draw;      // in this frame, see map_plan_begin
     Rect looked_up; // by receivers
     // What the texels are made from (see stamp_layer()); and this and that when
     // they were last drawn, 0 if never. What is filtered of them grows with
@@ -24,20 +24,29 @@ typedef struct MapPlan {
     const Views *views;
     LayerPlan layers[VIEW_MAX_LAYERS];
     int layer_count;
-    bool always; // drawn in every frame, although nothing has changed
+    bool lookups; // some layer is looked up
+    bool always;  // drawn in every frame, although nothing has changed
 } MapPlan;
 
 // Decides for each layer, and adds its rows to the facts' plan. `pass` is the
-// pass's name, `needed` what the later passes read of each layer, `texel_bytes`
-// the size of a texel. All zero before the first time; what was drawn is
-// remembered from one call to the next.
+// pass's name, `needed` what the later passes read of each layer, `format` that
+// of a texel. All zero before the first time; what was drawn is remembered from
+// one call to the next.
 void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
-                     const char *pass, size_t texel_bytes);
+                     const char *pass, GLenum format);
 
-// The layers that were to be drawn have been.
-void map_plan_done(MapPlan *plan);
+// The same for lookups that read so many texels to each side of the receiver.
+void map_plan_decide_within(MapPlan *plan, Facts *facts, int reach,
+                            const char *pass, GLenum format);
 
-// Everything is drawn again, for the shaders have changed.
+// A frame begins: which layers are drawn in it? Those that have changed since
+// they were, which they are from here on. False where nothing is looked up.
+bool map_plan_begin(MapPlan *plan);
+
+// Every layer is drawn again, for the shaders have changed.
 void map_plan_forget(MapPlan *plan);
+
+// Every object in every texel of every layer, for the files of --dump.
+MapPlan map_plan_whole(const MapPlan *plan);
 
 #endif

@@ -106,15 +106,18 @@ void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
     }
 }
 
-void shadow_map_dump(const ShadowMap *map, const char *name,
-                     const char *directory)
+void shadow_map_dump(const ShadowMap *map, const Geometry *geometry,
+                     const MapPlan *plan, const char *directory)
 {
-    dump_layers(directory, name, map->texture, map->width, map->height,
+    MapPlan whole = map_plan_whole(plan);
+    shadow_map_draw(map, geometry, &whole);
+    dump_layers(directory, "depth", map->texture, map->width, map->height,
                 map->layers, map->channels);
 }
 
-bool shadow_map_reload(ShadowMap *map)
+bool shadow_map_reload(ShadowMap *map, MapPlan *plan)
 {
+    map_plan_forget(plan);
     return gl_program_reload(&map->program);
 }
 

@@ -54,12 +54,14 @@ void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
 void shadow_map_draw_layer(const ShadowMap *map, int layer,
                            const Geometry *geometry, const MapPlan *plan);
 
-// Writes layer L as directory/name.L.exr.
-void shadow_map_dump(const ShadowMap *map, const char *name,
-                     const char *directory);
+// Draws every layer whole, for the picture may have needed less, and writes
+// layer L as directory/depth.L.exr.
+void shadow_map_dump(const ShadowMap *map, const Geometry *geometry,
+                     const MapPlan *plan, const char *directory);
 
-// Compiles the shaders again; see gl_program_reload.
-bool shadow_map_reload(ShadowMap *map);
+// Compiles the shaders again (see gl_program_reload); what they drew is drawn
+// anew.
+bool shadow_map_reload(ShadowMap *map, MapPlan *plan);
 
 void shadow_map_destroy(ShadowMap *map);
 

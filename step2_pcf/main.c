@@ -20,7 +20,7 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
-    MapPlan map_plan;
+    MapPlan plan;
     Geometry geometry;
     ShadowMap map;
     SceneDraw picture;
@@ -41,20 +41,13 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
-// What of the map the picture needs.
-static void decide(void)
-{
-    Rect needed[VIEW_MAX_LAYERS];
-    facts_needed(&state.facts, pcf_reach(&state.pcf), needed);
-    map_plan_decide(&state.map_plan, &state.facts, needed, "depth",
-                    gl_texel_bytes(GL_R32F));
-}
-
+// Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
     views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    decide();
+    map_plan_decide_within(&state.plan, &state.facts, pcf_reach(&state.pcf),
+                           "depth", GL_R32F);
 }
 
 static void create(void)
@@ -79,10 +72,9 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (state.facts.lookups) {
-        shadow_map_draw(&state.map, &state.geometry, &state.map_plan);
+    if (map_plan_begin(&state.plan)) {
+        shadow_map_draw(&state.map, &state.geometry, &state.plan);
         stopwatch_lap(&state.stopwatch, "depth");
-        map_plan_done(&state.map_plan);
     }
     bias_apply(&state.bias, state.picture.program.id);
     pcf_apply(&state.pcf, state.picture.program.id);
@@ -95,13 +87,10 @@ static void write_files(void)
 {
     if (state.base.dump != NULL) {
         scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(&(Run){&state.base, state.options, &state.scene.light,
-                        &state.facts, &state.stopwatch, state.map.bytes});
-        // The picture is made; the files hold the whole map.
-        facts_keep_all(&state.facts);
-        decide();
-        shadow_map_draw(&state.map, &state.geometry, &state.map_plan);
-        shadow_map_dump(&state.map, "depth", state.base.dump);
+        dump_run(&(Run){state.options, &state.facts, &state.stopwatch,
+                        state.map.bytes});
+        shadow_map_dump(&state.map, &state.geometry, &state.plan,
+                        state.base.dump);
     }
     scene_draw_write(&state.picture, state.base.output);
     stopwatch_print(&state.stopwatch, state.base.bench);
@@ -113,10 +102,9 @@ static void run_window(void)
                                  "step 2, kernel %d", state.pcf.kernel);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled = shadow_map_reload(&state.map) &&
+            bool compiled = shadow_map_reload(&state.map, &state.plan) &&
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
-            map_plan_forget(&state.map_plan);
         }
         look();
         draw_frame();

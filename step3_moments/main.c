@@ -21,7 +21,7 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
-    MapPlan map_plan;
+    MapPlan plan;
     Geometry geometry;
     MomentsMap map;
     SceneDraw picture;
@@ -38,25 +38,17 @@ static void read_settings(int argc, char **argv)
     state.options[1] = options_table(bias_options, &state.bias);
     state.options[2] = options_table(moments_options, &state.moments);
     options_parse(argc, argv, state.options);
-    moments_settings_check(&state.moments, state.options);
-    state.base.depth_shader = moments_depth_shader(&state.moments);
+    moments_settings_check(&state.moments, &state.base, state.options);
     base_settings_check(&state.base);
 }
 
-// What of the map the picture needs.
-static void decide(void)
-{
-    Rect needed[VIEW_MAX_LAYERS];
-    facts_needed(&state.facts, REACH, needed);
-    map_plan_decide(&state.map_plan, &state.facts, needed, "moments",
-                    gl_texel_bytes(moments_format(&state.moments)));
-}
-
+// Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
     views_fit(&state.views, &state.scene, &state.base, REACH);
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    decide();
+    map_plan_decide_within(&state.plan, &state.facts, REACH, "moments",
+                           moments_format(&state.moments));
 }
 
 static void create(void)
@@ -84,10 +76,9 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (state.facts.lookups) {
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
+    if (map_plan_begin(&state.plan)) {
+        moments_draw(&state.map, &state.geometry, &state.plan);
         stopwatch_lap(&state.stopwatch, "moments");
-        map_plan_done(&state.map_plan);
     }
     bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
@@ -99,14 +90,9 @@ static void write_files(void)
 {
     if (state.base.dump != NULL) {
         scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(&(Run){&state.base, state.options, &state.scene.light,
-                        &state.facts, &state.stopwatch, state.map.bytes});
-        // The picture is made; the files hold the whole map.
-        facts_keep_all(&state.facts);
-        decide();
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
-        moments_dump(&state.map, &state.geometry, &state.map_plan,
-                     state.base.dump);
+        dump_run(&(Run){state.options, &state.facts, &state.stopwatch,
+                        state.map.bytes});
+        moments_dump(&state.map, &state.geometry, &state.plan, state.base.dump);
     }
     scene_draw_write(&state.picture, state.base.output);
     stopwatch_print(&state.stopwatch, state.base.bench);
@@ -118,10 +104,9 @@ static void run_window(void)
                                  "step 3, format %s", state.moments.format);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled =
-                moments_reload(&state.map) && scene_draw_reload(&state.picture);
+            bool compiled = moments_reload(&state.map, &state.plan) &&
+                            scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
-            map_plan_forget(&state.map_plan);
         }
         look();
         draw_frame();

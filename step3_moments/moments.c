@@ -2,7 +2,8 @@
 
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // die_usage
+#include "step1_shadowmap/base/die.h"  // die_usage
+#include "step1_shadowmap/base/dump.h" // dump_layers
 
 const Option moments_options[] = {
     {.name = "format",
@@ -63,7 +64,7 @@ MomentsSettings moments_settings(void)
                              .msaa = 1};
 }
 
-void moments_settings_check(const MomentsSettings *settings,
+void moments_settings_check(const MomentsSettings *settings, BaseSettings *base,
                             const OptionTable tables[])
 {
     if (options_given(tables, "slope-from") && !settings->slope_term) {
@@ -76,6 +77,7 @@ void moments_settings_check(const MomentsSettings *settings,
                   "one texel away: drop one",
                   settings->slope_from, settings->msaa);
     }
+    base->depth_shader = moments_depth_shader(settings);
 }
 
 bool moments_projected(const MomentsSettings *settings)
@@ -228,7 +230,8 @@ MomentsMap moments_create(ShaderFiles files, const Views *views,
                           const MomentsSettings *settings)
 {
     GLenum format = moments_format(settings);
-    MomentsMap map = {.texels =
+    MomentsMap map = {.settings = settings,
+                      .texels =
                           shadow_map_create(create_program(files, settings),
                                             views, format, GL_LINEAR)};
     if (moments_are_central(settings)) {
@@ -256,16 +259,20 @@ void moments_draw(const MomentsMap *map, const Geometry *geometry,
 void moments_dump(const MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan, const char *directory)
 {
-    shadow_map_dump(&map->texels, "moments", directory);
+    const ShadowMap *texels = &map->texels;
+    MapPlan whole = map_plan_whole(plan);
+    moments_draw(map, geometry, &whole);
+    dump_layers(directory, "moments", texels->texture, texels->width,
+                texels->height, texels->layers, texels->channels);
     if (map->samples.samples > 0) {
-        multisample_dump(&map->samples, &map->texels, geometry, plan,
-                         directory);
+        multisample_dump(&map->samples, texels, geometry, &whole, directory);
     }
 }
 
-bool moments_reload(MomentsMap *map)
+bool moments_reload(MomentsMap *map, MapPlan *plan)
 {
-    return shadow_map_reload(&map->texels) && multisample_reload(&map->samples);
+    return shadow_map_reload(&map->texels, plan) &&
+           multisample_reload(&map->samples);
 }
 
 void moments_destroy(MomentsMap *map)

@@ -2,10 +2,11 @@
 #ifndef STEP3_MOMENTS_H
 #define STEP3_MOMENTS_H
 
-#include "step1_shadowmap/base/legend.h"  // ShowMode
-#include "step1_shadowmap/base/options.h" // Option
-#include "step1_shadowmap/shadow_map.h"   // ShadowMap
-#include "step3_moments/multisample.h"    // Multisample
+#include "step1_shadowmap/base/legend.h"   // ShowMode
+#include "step1_shadowmap/base/options.h"  // Option
+#include "step1_shadowmap/base/settings.h" // BaseSettings
+#include "step1_shadowmap/shadow_map.h"    // ShadowMap
+#include "step3_moments/multisample.h"     // Multisample
 
 #include <stdbool.h>
 
@@ -25,8 +26,9 @@ extern const ShowMode moments_shows[];
 
 MomentsSettings moments_settings(void);
 
-// Refuses (status 2) options that contradict each other.
-void moments_settings_check(const MomentsSettings *settings,
+// Refuses (status 2) options that contradict each other. Tells base the formula
+// of t.
+void moments_settings_check(const MomentsSettings *settings, BaseSettings *base,
                             const OptionTable tables[]);
 
 // Whether t is z / w of the view, for a light that has one.
@@ -53,11 +55,13 @@ GLenum moments_format(const MomentsSettings *settings);
 // with the slope term the variance of t across the texel added to the second.
 // It is looked up bilinearly: unlike depths, moments may be averaged.
 typedef struct MomentsMap {
+    const MomentsSettings *settings;
     ShadowMap texels;    // what the next stage reads
     Multisample samples; // with --msaa: what the texels are averages of
     size_t bytes;        // of both
 } MomentsMap;
 
+// Keeps the pointer to the settings.
 MomentsMap moments_create(ShaderFiles files, const Views *views,
                           const MomentsSettings *settings);
 
@@ -65,13 +69,14 @@ MomentsMap moments_create(ShaderFiles files, const Views *views,
 void moments_draw(const MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan);
 
-// Writes layer L as directory/moments.L.exr, and with --msaa what
-// multisample_dump writes, for which the scene is drawn again.
+// Draws every layer whole, for the picture may have needed less, and writes
+// layer L as directory/moments.L.exr, and with --msaa what multisample_dump
+// writes, for which the scene is drawn again.
 void moments_dump(const MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan, const char *directory);
 
-// Compiles the shaders again; see gl_program_reload.
-bool moments_reload(MomentsMap *map);
+// Compiles the shaders again, see shadow_map_reload.
+bool moments_reload(MomentsMap *map, MapPlan *plan);
 
 void moments_destroy(MomentsMap *map);
 

@@ -104,8 +104,9 @@ static void create_filters(Blur *blur, ShaderFiles files,
 }
 
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const MomentsSettings *moments, const MomentsMap *moments_map)
+                 const MomentsMap *moments_map)
 {
+    const MomentsSettings *moments = moments_map->settings;
     const ShadowMap *map = &moments_map->texels;
     Blur blur = {.factor = settings->downsample,
                  .radius = settings->sat ? 0 : blur_used_radius(settings),
@@ -197,41 +198,40 @@ static void blur_along(const Blur *blur, int axis, int filter, GLuint source,
 }
 
 // All filters along u, then all along v: an even number, between two targets.
-static GLuint blur_axes(const Blur *blur, GLuint source, const BlurRects *rects,
-                        const MapPlan *plan)
+static GLuint blur_axes(const Blur *blur, GLuint source, const BlurPlan *plan)
 {
     const BlurTarget *targets[] = {&blur->horizontal, &blur->vertical};
     int count = blur->filter_count;
     for (int i = 0; i < 2 * count; i++) {
         const BlurTarget *target = targets[i % 2];
         blur_along(blur, i / count, i % count, source, target,
-                   (Part){rects->passes[i], plan});
+                   (Part){plan->passes[i], &plan->map});
         source = target->texture;
     }
     return source;
 }
 
-GLuint blur_apply(const Blur *blur, const MomentsMap *moments,
-                  const BlurRects *rects, const MapPlan *plan)
+void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan)
 {
     GLuint result = moments->texels.texture;
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, blur->width, blur->height);
     if (blur->downsample_program.id != 0) {
-        downsample(blur, result, (Part){rects->small, plan});
+        downsample(blur, result, (Part){plan->small, &plan->map});
         result = blur->small.texture;
     }
     if (blur->radius > 0) {
-        result = blur_axes(blur, result, rects, plan);
+        result = blur_axes(blur, result, plan);
     }
     if (blur->mips.levels > 0) {
-        mips_apply(&blur->mips, result, blur->empty_vao, rects->levels, plan);
+        mips_apply(&blur->mips, result, blur->empty_vao, plan->levels,
+                   &plan->map);
     }
     if (blur->sat.layers > 0) {
-        result = sat_apply(&blur->sat, result, blur->empty_vao,
-                           rects->levels[0], plan);
+        result = sat_apply(&blur->sat, result, blur->empty_vao, plan->levels[0],
+                           &plan->map);
     }
-    return result;
+    blur->result = result;
 }
 
 bool blur_reload(Blur *blur)

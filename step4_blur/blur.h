@@ -56,9 +56,8 @@ bool blur_uses_hardware(const BlurSettings *settings);
 // Refuses (status 2) options that contradict each other or the moments, a
 // radius that contradicts the kernel or is wider than the map, and a factor
 // that does not divide the map.
-void blur_settings_check(const BlurSettings *settings,
-                         const MomentsSettings *moments, const int map_size[2],
-                         const OptionTable tables[]);
+void blur_check(const BlurSettings *settings, const MomentsSettings *moments,
+                const BaseSettings *base, const OptionTable tables[]);
 
 // How many texels of the full map one filtered lookup reads to each side.
 int blur_reach(const BlurSettings *settings);
@@ -80,31 +79,42 @@ typedef struct Blur {
     BlurTarget small;      // downsampled; with mips alone: copied
     BlurTarget horizontal; // blurred along u; with boxes taking turns
     BlurTarget vertical;   // then along v; the last one
-    Mips mips;             // of the texture that blur_apply returns
+    Mips mips;             // of the result
     Sat sat;               // in place of the blur
     int factor, radius;
     int anisotropy;
     bool hardware;             // the texture unit looks the levels up
     int width, height, layers; // of the result
     size_t bytes;              // of the textures that the filter needs
+    GLuint result;             // the texture that the picture looks up
 } Blur;
 
-// For a map that was created with these settings of its moments.
 Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const MomentsSettings *moments, const MomentsMap *moments_map);
+                 const MomentsMap *moments_map);
 
-// By layer, the texels that each pass writes of its own target; what the result
-// is comes first of its levels.
-typedef struct BlurRects {
+// What of the map is drawn and filtered.
+typedef struct BlurPlan {
+    MapPlan map; // of the moments
+    // By layer, the texels that each pass writes of its own target; the first
+    // of the levels is the result. Empty where a layer is not filtered.
     Rect small[VIEW_MAX_LAYERS];
     Rect passes[2 * BLUR_MAX_FILTERS][VIEW_MAX_LAYERS]; // of the blur
     Rect levels[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS];
-} BlurRects;
+} BlurPlan;
 
-// Filters the layers that the plan draws and returns the texture that holds the
-// result: the moments themselves where there is nothing to do.
-GLuint blur_apply(const Blur *blur, const MomentsMap *moments,
-                  const BlurRects *rects, const MapPlan *plan);
+// Decides from the last pass back to the first, each wider by what the one
+// after it reads around it, and then what is drawn of the moments (see
+// map_plan_decide). Adds all their rows to the facts' plan.
+void blur_plan_decide(BlurPlan *plan, Facts *facts,
+                      const BlurSettings *settings,
+                      const MomentsSettings *moments);
+
+// Every texel of every layer, for the files of --dump.
+BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur);
+
+// Filters the layers that are drawn in this frame. Where there is nothing to do
+// the result is the moments themselves.
+void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan);
 
 enum { BLUR_MAX_SHADERS = 8 };
 
@@ -125,9 +135,11 @@ int blur_last_level(const BlurSettings *settings, const Views *views,
 // Sets the uniforms of these files.
 void blur_set_lookup(const Blur *blur, const Views *views, GLuint program);
 
-// Writes the result of blur_apply, layer L as directory/blurred.L.exr; see
-// mips_dump for the rest.
-void blur_dump(const Blur *blur, GLuint filtered, const char *directory);
+// Filters every layer whole, of moments that moments_dump has drawn whole, and
+// writes the result, layer L as directory/blurred.L.exr; see mips_dump for the
+// rest.
+void blur_dump(Blur *blur, const MomentsMap *moments, const BlurPlan *plan,
+               const char *directory);
 
 // Compiles the shaders again; see gl_program_reload.
 bool blur_reload(Blur *blur);

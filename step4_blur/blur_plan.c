@@ -1,4 +1,4 @@
-#include "step4_blur/blur_plan.h"
+#include "step4_blur/blur.h"
 
 // Of the filtered map, texels.
 typedef struct FilteredSize {
@@ -43,7 +43,7 @@ static Rect looked_up(const BlurSettings *settings, const Facts *facts,
 }
 
 // Level by level from the coarsest: texel i is made of 2 i - 1 to 2 i + 2.
-static void decide_levels(BlurRects *write, const BlurSettings *settings,
+static void decide_levels(BlurPlan *plan, const BlurSettings *settings,
                           const Facts *facts, const FilteredSize *size,
                           int layer)
 {
@@ -51,7 +51,7 @@ static void decide_levels(BlurRects *write, const BlurSettings *settings,
     for (int level = size->last; level >= 0; level--) {
         Rect rect = looked_up(settings, facts, size, layer, level);
         rect = rect_join(&rect, &finer);
-        write->levels[level][layer] = rect;
+        plan->levels[level][layer] = rect;
         if (level > 0) {
             finer = rect_multiply(&rect, 2);
             finer = rect_grow(&finer, 1, 1, size->level[level - 1]);
@@ -61,33 +61,29 @@ static void decide_levels(BlurRects *write, const BlurSettings *settings,
 
 // From the result back to what is blurred: a pass reads as many texels around
 // its own as its filter holds to the wider side.
-static Rect decide_passes(BlurRects *write, const BlurSettings *settings,
+static Rect decide_passes(BlurPlan *plan, const BlurSettings *settings,
                           const int size[2], int layer)
 {
     BlurSides filters[BLUR_MAX_FILTERS];
-    Rect rect = write->levels[0][layer];
+    Rect rect = plan->levels[0][layer];
     int count = settings->sat ? 0 : blur_filters(settings, filters);
     for (int i = 2 * count - 1; i >= 0; i--) {
         const int *sides = filters[i % count].sides;
         int side = sides[0] > sides[1] ? sides[0] : sides[1];
         int axis = i / count;
-        write->passes[i][layer] = rect;
+        plan->passes[i][layer] = rect;
         rect =
             rect_grow(&rect, axis == 0 ? side : 0, axis == 1 ? side : 0, size);
     }
     return rect;
 }
 
-// From the result back to the map of moments.
 static void decide_layer(BlurPlan *plan, const BlurSettings *settings,
                          const Facts *facts, const FilteredSize *size,
                          int layer)
 {
-    BlurRects *write = &plan->write;
-    decide_levels(write, settings, facts, size, layer);
-    write->small[layer] = decide_passes(write, settings, size->level[0], layer);
-    plan->moments[layer] =
-        rect_multiply(&write->small[layer], settings->downsample);
+    decide_levels(plan, settings, facts, size, layer);
+    plan->small[layer] = decide_passes(plan, settings, size->level[0], layer);
 }
 
 // How many texels of the layers are not in the rectangles.
@@ -118,10 +114,9 @@ static void add_filter_rows(const BlurPlan *plan, const BlurSettings *settings,
                             Facts *facts, const FilteredSize *size,
                             size_t texel_bytes)
 {
-    const BlurRects *write = &plan->write;
     const int *fine = size->level[0];
     if (settings->downsample > 1) {
-        add_row(facts, "downsampling", saved(facts, fine, write->small),
+        add_row(facts, "downsampling", saved(facts, fine, plan->small),
                 texel_bytes, "--downsample");
     } else {
         add_not_asked(facts, "downsampling", "--downsample 1");
@@ -133,7 +128,7 @@ static void add_filter_rows(const BlurPlan *plan, const BlurSettings *settings,
         int count = blur_filters(settings, filters);
         for (int i = 0; i < 2 * count; i++) {
             add_row(facts, i < count ? "blur along u" : "blur along v",
-                    saved(facts, fine, write->passes[i]), texel_bytes,
+                    saved(facts, fine, plan->passes[i]), texel_bytes,
                     settings->kernel);
         }
     } else {
@@ -147,7 +142,7 @@ static void add_lookup_rows(const BlurPlan *plan, const BlurSettings *settings,
 {
     size_t texels = 0;
     for (int level = 1; level <= size->last; level++) {
-        texels += saved(facts, size->level[level], plan->write.levels[level]);
+        texels += saved(facts, size->level[level], plan->levels[level]);
     }
     if (settings->mips) {
         add_row(facts, "mip-map levels", texels, texel_bytes, "--mips");
@@ -156,7 +151,7 @@ static void add_lookup_rows(const BlurPlan *plan, const BlurSettings *settings,
     }
     if (settings->sat) {
         add_row(facts, "summed-area table",
-                saved(facts, size->level[0], plan->write.levels[0]),
+                saved(facts, size->level[0], plan->levels[0]),
                 2 * sizeof(GLuint),
                 sat_uses_compute(settings->sat_by) ? "by compute shaders"
                                                    : "by fragments");
@@ -165,13 +160,38 @@ static void add_lookup_rows(const BlurPlan *plan, const BlurSettings *settings,
     }
 }
 
-void blur_plan_decide(BlurPlan *plan, const BlurSettings *settings,
-                      Facts *facts, size_t texel_bytes)
+void blur_plan_decide(BlurPlan *plan, Facts *facts,
+                      const BlurSettings *settings,
+                      const MomentsSettings *moments)
 {
     FilteredSize size = filtered_size(settings, facts);
+    GLenum format = moments_format(moments);
+    size_t texel_bytes = gl_texel_bytes(format);
+    Rect needed[VIEW_MAX_LAYERS];
     for (int layer = 0; layer < facts->layer_count; layer++) {
         decide_layer(plan, settings, facts, &size, layer);
+        needed[layer] =
+            rect_multiply(&plan->small[layer], settings->downsample);
     }
+    map_plan_decide(&plan->map, facts, needed, "moments", format);
     add_filter_rows(plan, settings, facts, &size, texel_bytes);
     add_lookup_rows(plan, settings, facts, &size, texel_bytes);
+}
+
+BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur)
+{
+    BlurPlan whole = {.map = map_plan_whole(&plan->map)};
+    for (int layer = 0; layer < blur->layers; layer++) {
+        Rect rect = rect_whole(blur->width, blur->height);
+        whole.small[layer] = rect;
+        for (int i = 0; i < 2 * blur->filter_count; i++) {
+            whole.passes[i][layer] = rect;
+        }
+        whole.levels[0][layer] = rect;
+        for (int level = 1; level < blur->mips.levels; level++) {
+            whole.levels[level][layer] =
+                rect_whole(blur->width >> level, blur->height >> level);
+        }
+    }
+    return whole;
 }

@@ -189,10 +189,10 @@ static void check_moments(const BlurSettings *settings,
     }
 }
 
-void blur_settings_check(const BlurSettings *settings,
-                         const MomentsSettings *moments, const int map_size[2],
-                         const OptionTable tables[])
+void blur_check(const BlurSettings *settings, const MomentsSettings *moments,
+                const BaseSettings *base, const OptionTable tables[])
 {
+    const int *map_size = base->map_size;
     if (blur_used_radius(settings) == 0 && settings->radius > 0 &&
         options_given(tables, "radius")) {
         die_usage("--radius %d contradicts --blur none: drop one of them",

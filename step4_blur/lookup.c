@@ -101,13 +101,16 @@ void blur_set_lookup(const Blur *blur, const Views *views, GLuint program)
     }
 }
 
-void blur_dump(const Blur *blur, GLuint filtered, const char *directory)
+void blur_dump(Blur *blur, const MomentsMap *moments, const BlurPlan *plan,
+               const char *directory)
 {
+    BlurPlan whole = blur_plan_whole(plan, blur);
+    blur_apply(blur, moments, &whole);
     if (blur->sat.layers > 0) {
-        sat_dump(&blur->sat, filtered, blur->empty_vao, directory);
+        sat_dump(&blur->sat, blur->result, blur->empty_vao, directory);
         return;
     }
-    dump_layers(directory, "blurred", filtered, blur->width, blur->height,
+    dump_layers(directory, "blurred", blur->result, blur->width, blur->height,
                 blur->layers, 2);
-    mips_dump(&blur->mips, filtered, directory);
+    mips_dump(&blur->mips, blur->result, directory);
 }

@@ -1,6 +1,5 @@
 // Step 4: blur. The moments are averaged over a neighbourhood before the
-// picture looks them up. It still compares with the mean: this is why it is
-// wrong.
+// picture looks them up. It still compares with the mean, and so it is wrong.
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
@@ -11,7 +10,6 @@
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
 #include "step3_moments/moments.h"           // moments_draw
 #include "step4_blur/blur.h"                 // blur_apply
-#include "step4_blur/blur_plan.h"            // blur_plan_decide
 
 static struct {
     BaseSettings base;
@@ -23,12 +21,10 @@ static struct {
     Scene scene;
     Views views;
     Facts facts;
-    MapPlan map_plan;
-    BlurPlan blur_plan;
+    BlurPlan plan;
     Geometry geometry;
     MomentsMap map;
     Blur filter;
-    GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
     Stopwatch stopwatch;
     Window window;
@@ -45,27 +41,17 @@ static void read_settings(int argc, char **argv)
     state.options[2] = options_table(moments_options, &state.moments);
     state.options[3] = options_table(blur_options, &state.blur);
     options_parse(argc, argv, state.options);
-    moments_settings_check(&state.moments, state.options);
-    state.base.depth_shader = moments_depth_shader(&state.moments);
-    blur_settings_check(&state.blur, &state.moments, state.base.map_size,
-                        state.options);
+    moments_settings_check(&state.moments, &state.base, state.options);
+    blur_check(&state.blur, &state.moments, &state.base, state.options);
     base_settings_check(&state.base);
 }
 
-// What of the maps the picture needs.
-static void decide(void)
-{
-    size_t bytes = gl_texel_bytes(moments_format(&state.moments));
-    blur_plan_decide(&state.blur_plan, &state.blur, &state.facts, bytes);
-    map_plan_decide(&state.map_plan, &state.facts, state.blur_plan.moments,
-                    "moments", bytes);
-}
-
+// Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    decide();
+    blur_plan_decide(&state.plan, &state.facts, &state.blur, &state.moments);
 }
 
 static void create(void)
@@ -82,8 +68,7 @@ static void create(void)
     state.geometry = geometry_create(&state.scene);
     if (facts_make_maps(&state.facts)) {
         state.map = moments_create(files, &state.views, &state.moments);
-        state.filter =
-            blur_create(files, &state.blur, &state.moments, &state.map);
+        state.filter = blur_create(files, &state.blur, &state.map);
     }
     state.picture = scene_draw_create(&state.base, &state.facts, visibility);
     plan_print(&state.facts.plan, state.base.plan);
@@ -92,18 +77,16 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (state.facts.lookups) {
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
+    if (map_plan_begin(&state.plan.map)) {
+        moments_draw(&state.map, &state.geometry, &state.plan.map);
         stopwatch_lap(&state.stopwatch, "moments");
-        state.filtered = blur_apply(&state.filter, &state.map,
-                                    &state.blur_plan.write, &state.map_plan);
+        blur_apply(&state.filter, &state.map, &state.plan);
         stopwatch_lap(&state.stopwatch, "blur");
-        map_plan_done(&state.map_plan);
     }
     bias_apply(&state.bias, state.picture.program.id);
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
-               state.filtered);
+               state.filter.result);
     stopwatch_lap(&state.stopwatch, "shading");
 }
 
@@ -111,18 +94,11 @@ static void write_files(void)
 {
     if (state.base.dump != NULL) {
         scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(&(Run){&state.base, state.options, &state.scene.light,
-                        &state.facts, &state.stopwatch,
+        dump_run(&(Run){state.options, &state.facts, &state.stopwatch,
                         state.map.bytes + state.filter.bytes});
-        // The picture is made; the files hold the whole map.
-        facts_keep_all(&state.facts);
-        decide();
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
-        state.filtered = blur_apply(&state.filter, &state.map,
-                                    &state.blur_plan.write, &state.map_plan);
-        moments_dump(&state.map, &state.geometry, &state.map_plan,
+        moments_dump(&state.map, &state.geometry, &state.plan.map,
                      state.base.dump);
-        blur_dump(&state.filter, state.filtered, state.base.dump);
+        blur_dump(&state.filter, &state.map, &state.plan, state.base.dump);
     }
     scene_draw_write(&state.picture, state.base.output);
     stopwatch_print(&state.stopwatch, state.base.bench);
@@ -134,11 +110,10 @@ static void run_window(void)
                                  "step 4, radius %d", state.blur.radius);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled = moments_reload(&state.map) &&
+            bool compiled = moments_reload(&state.map, &state.plan.map) &&
                             blur_reload(&state.filter) &&
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
-            map_plan_forget(&state.map_plan);
         }
         look();
         draw_frame();

@@ -9,28 +9,22 @@
 #include "step1_shadowmap/base/window.h"     // window_next, window_show
 #include "step3_moments/moments.h"           // moments_draw
 #include "step4_blur/blur.h"                 // blur_apply
-#include "step4_blur/blur_plan.h"            // blur_plan_decide
 #include "step5_chebyshev/chebyshev.h"       // chebyshev_settings
 #include "step5_chebyshev/deferred.h"        // deferred_draw
 #include "step5_chebyshev/shading.h"         // shading_picture
 
 static struct {
     BaseSettings base;
-    MomentsSettings moments;
-    BlurSettings blur;
-    ChebyshevSettings chebyshev;
     ShadingSettings shading;
     OptionTable options[6];
     Context context;
     Scene scene;
     Views views;
     Facts facts;
-    MapPlan map_plan;
-    BlurPlan blur_plan;
+    BlurPlan plan;
     Geometry geometry;
     MomentsMap map;
     Blur filter;
-    GLuint filtered; // the map that the picture looks up
     SceneDraw picture;
     Deferred deferred;
     Stopwatch stopwatch;
@@ -40,37 +34,23 @@ static struct {
 static void read_settings(int argc, char **argv)
 {
     state.base = base_settings("step5_chebyshev", moments_shows);
-    state.moments = shading_moments_settings();
-    state.blur = blur_settings();
-    state.chebyshev = chebyshev_settings();
-    state.shading =
-        shading_settings(&state.moments, &state.blur, &state.chebyshev);
+    state.shading = shading_settings();
     state.options[0] = options_table(base_options, &state.base);
-    state.options[1] = options_table(moments_options, &state.moments);
-    state.options[2] = options_table(blur_options, &state.blur);
-    state.options[3] = options_table(chebyshev_options, &state.chebyshev);
+    state.options[1] = options_table(moments_options, &state.shading.moments);
+    state.options[2] = options_table(blur_options, &state.shading.blur);
+    state.options[3] =
+        options_table(chebyshev_options, &state.shading.chebyshev);
     state.options[4] = options_table(shading_options, &state.shading);
     options_parse(argc, argv, state.options);
-    moments_settings_check(&state.moments, state.options);
-    state.base.depth_shader = moments_depth_shader(&state.moments);
     shading_check(&state.shading, &state.base, state.options);
     base_settings_check(&state.base);
 }
 
-// What of the maps the picture needs.
-static void decide(void)
-{
-    size_t bytes = gl_texel_bytes(moments_format(&state.moments));
-    blur_plan_decide(&state.blur_plan, &state.blur, &state.facts, bytes);
-    map_plan_decide(&state.map_plan, &state.facts, state.blur_plan.moments,
-                    "moments", bytes);
-}
-
+// Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
-    shading_fit(&state.shading, &state.views, &state.facts, &state.scene,
-                &state.base);
-    decide();
+    shading_look(&state.shading, &state.plan, &state.facts, &state.views,
+                 &state.scene, &state.base);
 }
 
 static void create(void)
@@ -81,9 +61,8 @@ static void create(void)
     look();
     state.geometry = geometry_create(&state.scene);
     if (facts_make_maps(&state.facts)) {
-        state.map = moments_create(files, &state.views, &state.moments);
-        state.filter =
-            blur_create(files, &state.blur, &state.moments, &state.map);
+        state.map = moments_create(files, &state.views, &state.shading.moments);
+        state.filter = blur_create(files, &state.shading.blur, &state.map);
     }
     state.picture = shading_picture(&state.shading, &state.base, &state.facts);
     state.deferred =
@@ -94,19 +73,17 @@ static void create(void)
 static void draw_frame(void)
 {
     stopwatch_start(&state.stopwatch);
-    if (state.facts.lookups) {
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
+    if (map_plan_begin(&state.plan.map)) {
+        moments_draw(&state.map, &state.geometry, &state.plan.map);
         stopwatch_lap(&state.stopwatch, "moments");
-        state.filtered = blur_apply(&state.filter, &state.map,
-                                    &state.blur_plan.write, &state.map_plan);
+        blur_apply(&state.filter, &state.map, &state.plan);
         stopwatch_lap(&state.stopwatch, "blur");
-        map_plan_done(&state.map_plan);
     }
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     shading_apply(&state.shading, &state.filter, &state.views,
                   state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
-                  &state.geometry, &state.views, state.filtered);
+                  &state.geometry, &state.views, state.filter.result);
     stopwatch_lap(&state.stopwatch, "shading");
 }
 
@@ -114,18 +91,11 @@ static void write_files(void)
 {
     if (state.base.dump != NULL) {
         scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(&(Run){&state.base, state.options, &state.scene.light,
-                        &state.facts, &state.stopwatch,
+        dump_run(&(Run){state.options, &state.facts, &state.stopwatch,
                         state.map.bytes + state.filter.bytes});
-        // The picture is made; the files hold the whole map.
-        facts_keep_all(&state.facts);
-        decide();
-        moments_draw(&state.map, &state.geometry, &state.map_plan);
-        state.filtered = blur_apply(&state.filter, &state.map,
-                                    &state.blur_plan.write, &state.map_plan);
-        moments_dump(&state.map, &state.geometry, &state.map_plan,
+        moments_dump(&state.map, &state.geometry, &state.plan.map,
                      state.base.dump);
-        blur_dump(&state.filter, state.filtered, state.base.dump);
+        blur_dump(&state.filter, &state.map, &state.plan, state.base.dump);
     }
     scene_draw_write(&state.picture, state.base.output);
     stopwatch_print(&state.stopwatch, state.base.bench);
@@ -133,16 +103,16 @@ static void write_files(void)
 
 static void run_window(void)
 {
-    state.window = window_create(&state.context, &state.base,
-                                 "step 5, radius %d", state.blur.radius);
+    state.window =
+        window_create(&state.context, &state.base, "step 5, radius %d",
+                      state.shading.blur.radius);
     while (window_next(&state.window, &state.scene.camera)) {
         if (state.window.reload) {
-            bool compiled = moments_reload(&state.map) &&
+            bool compiled = moments_reload(&state.map, &state.plan.map) &&
                             blur_reload(&state.filter) &&
                             scene_draw_reload(&state.picture) &&
                             deferred_reload(&state.deferred);
             window_reload(&state.window, compiled);
-            map_plan_forget(&state.map_plan);
         }
         look();
         draw_frame();

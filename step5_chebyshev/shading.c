@@ -50,21 +50,15 @@ const Option shading_options[] = {
     {0},
 };
 
-ShadingSettings shading_settings(MomentsSettings *moments, BlurSettings *blur,
-                                 const ChebyshevSettings *chebyshev)
+ShadingSettings shading_settings(void)
 {
-    return (ShadingSettings){
-        .moments = moments,
-        .blur = blur,
-        .chebyshev = chebyshev,
+    ShadingSettings settings = {
+        .moments = moments_settings(),
+        .blur = blur_settings(),
+        .chebyshev = chebyshev_settings(),
         .sat_width = "fixed",
         .softness = {.light_size = 0.05, .penumbra_scale = 1}};
-}
-
-MomentsSettings shading_moments_settings(void)
-{
-    MomentsSettings settings = moments_settings();
-    settings.moments = "central";
+    settings.moments.moments = "central";
     return settings;
 }
 
@@ -99,11 +93,11 @@ static void check_soft(const BlurSettings *blur, const int map_size[2],
 static void check_hybrid(const ShadingSettings *settings,
                          const OptionTable tables[])
 {
-    const char *filter = blur_used_radius(settings->blur) > 0
+    const char *filter = blur_used_radius(&settings->blur) > 0
                              ? "--blur and --radius"
-                         : settings->blur->downsample > 1 ? "--downsample"
-                         : settings->moments->msaa > 1    ? "--msaa"
-                                                          : NULL;
+                         : settings->blur.downsample > 1 ? "--downsample"
+                         : settings->moments.msaa > 1    ? "--msaa"
+                                                         : NULL;
     if (filter != NULL) {
         die_usage("--hybrid compares depths, and a filtered map has none: drop "
                   "--hybrid or %s",
@@ -123,10 +117,11 @@ static void check_needs_soft(const char *name, const OptionTable tables[])
     }
 }
 
-void shading_check(const ShadingSettings *settings, const BaseSettings *base,
+void shading_check(ShadingSettings *settings, BaseSettings *base,
                    const OptionTable tables[])
 {
-    BlurSettings *blur = settings->blur;
+    BlurSettings *blur = &settings->blur;
+    moments_settings_check(&settings->moments, base, tables);
     if (settings->soft) {
         check_soft(blur, base->map_size, tables);
         blur->mips = true;
@@ -144,9 +139,9 @@ void shading_check(const ShadingSettings *settings, const BaseSettings *base,
     }
     bool sums = blur->sat || blur_uses_hardware(blur);
     if (sums && !options_given(tables, "moments")) {
-        settings->moments->moments = "raw";
+        settings->moments.moments = "raw";
     }
-    blur_settings_check(blur, settings->moments, base->map_size, tables);
+    blur_check(blur, &settings->moments, base, tables);
     if (options_given(tables, "sat-width") && !blur->sat) {
         die_usage("--sat-width %s is of a summed-area table's box: add --sat "
                   "or drop --sat-width",
@@ -154,20 +149,21 @@ void shading_check(const ShadingSettings *settings, const BaseSettings *base,
     }
 }
 
-void shading_fit(ShadingSettings *settings, Views *views, Facts *facts,
-                 const Scene *scene, const BaseSettings *base)
+void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
+                  Views *views, const Scene *scene, const BaseSettings *base)
 {
     if (settings->reach == 0) {
         settings->reach =
             settings->soft
-                ? soft_reach(&settings->softness, settings->blur, base, scene)
-                : blur_reach(settings->blur);
+                ? soft_reach(&settings->softness, &settings->blur, base, scene)
+                : blur_reach(&settings->blur);
     }
     views_fit(views, scene, base, settings->reach);
     facts_collect(facts, scene, views, base);
     if (settings->soft) {
         facts_look_everywhere(facts);
     }
+    blur_plan_decide(plan, facts, &settings->blur, &settings->moments);
 }
 
 // Puts the adaptive box's lookup, and the footprint that this one asks for, in
@@ -199,11 +195,11 @@ static const char **append_soft(const ShadingSettings *settings,
                                 const char **files)
 {
     const char *const soft[] = {
-        moments_merge_shader(settings->moments),
-        moments_between_shader(settings->moments),
+        moments_merge_shader(&settings->moments),
+        moments_between_shader(&settings->moments),
         "step1_shadowmap/shaders/depth_slope.glsl",
         "step4_blur/shaders/mip_levels.glsl",
-        chebyshev_guard_shader(settings->chebyshev, settings->moments),
+        chebyshev_guard_shader(&settings->chebyshev, &settings->moments),
         "step5_chebyshev/shaders/chebyshev.glsl",
         "step2_pcf/shaders/poisson_disc.glsl",
         "step5_chebyshev/shaders/penumbra.glsl",
@@ -220,8 +216,9 @@ static const char **append_blur(const ShadingSettings *settings,
         "step5_chebyshev/shaders/chebyshev.glsl", NULL};
     const char *usual[SHADING_MAX_SHADERS];
     blur_picture_shaders(
-        settings->blur, settings->moments,
-        chebyshev_guard_shader(settings->chebyshev, settings->moments), usual);
+        &settings->blur, &settings->moments,
+        chebyshev_guard_shader(&settings->chebyshev, &settings->moments),
+        usual);
     if (strcmp(settings->sat_width, "adaptive") == 0) {
         adapt_box(usual);
     }
@@ -234,7 +231,7 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
         "step1_shadowmap/shaders/bias.glsl",
         "step5_chebyshev/shaders/visibility_hybrid.glsl", NULL};
     const char *const bounded[] = {
-        chebyshev_reduction_shader(settings->chebyshev),
+        chebyshev_reduction_shader(&settings->chebyshev),
         "step5_chebyshev/shaders/visibility.glsl", NULL};
     files = settings->soft ? append_soft(settings, files)
                            : append_blur(settings, files);
@@ -254,13 +251,13 @@ SceneDraw shading_picture(const ShadingSettings *settings,
 void shading_apply(const ShadingSettings *settings, const Blur *filter,
                    const Views *views, GLuint program)
 {
-    int lookups = settings->soft ? SOFT_TAPS : settings->blur->anisotropy;
+    int lookups = settings->soft ? SOFT_TAPS : settings->blur.anisotropy;
     GuardNumbers guard =
-        guard_of_settings(settings->moments, settings->blur, filter, lookups);
-    chebyshev_apply(settings->chebyshev, &guard, program);
+        guard_of_settings(&settings->moments, &settings->blur, filter, lookups);
+    chebyshev_apply(&settings->chebyshev, &guard, program);
     if (settings->soft) {
         soft_apply(&settings->softness, views,
-                   moments_projected(settings->moments), program);
+                   moments_projected(&settings->moments), program);
     }
     if (settings->hybrid) {
         BiasSettings bias = bias_settings();

@@ -10,9 +10,9 @@
 #include "step5_chebyshev/soft.h"            // SoftSettings
 
 typedef struct ShadingSettings {
-    MomentsSettings *moments; // of the stages before
-    BlurSettings *blur;
-    const ChebyshevSettings *chebyshev;
+    MomentsSettings moments; // of the stages that the picture stands on
+    BlurSettings blur;
+    ChebyshevSettings chebyshev;
     bool deferred;         // what each pixel shows first, then its light
     const char *sat_width; // of a table's box: fixed or adaptive
     bool soft;             // the penumbra is each receiver's own
@@ -23,25 +23,23 @@ typedef struct ShadingSettings {
 
 extern const Option shading_options[];
 
-// Keeps the pointers.
-ShadingSettings shading_settings(MomentsSettings *moments, BlurSettings *blur,
-                                 const ChebyshevSettings *chebyshev);
-
-// The defaults of step 3, but for central moments: only their rounding is so
-// small that what is added against it leaves a shadow dark.
-MomentsSettings shading_moments_settings(void);
+// The defaults of the stages before, but for central moments: only their
+// rounding is so small that what is added against it leaves a shadow dark.
+ShadingSettings shading_settings(void);
 
 // Chooses what the filter needs. Soft shadows: mip-maps, of moments that are
 // not blurred unless a blur was asked for. A filter that takes sums or means of
 // whatever a texel holds: raw moments, unless --moments was given. Then refuses
-// (status 2) what blur_settings_check does, and what contradicts that filter.
-void shading_check(const ShadingSettings *settings, const BaseSettings *base,
+// (status 2) what moments_settings_check (see there) and blur_check
+// do, and what contradicts that filter.
+void shading_check(ShadingSettings *settings, BaseSettings *base,
                    const OptionTable tables[]);
 
-// views_fit with room for the widest lookup, which it finds the first time, and
-// facts_collect. Soft shadows look all of a map up where they look it up.
-void shading_fit(ShadingSettings *settings, Views *views, Facts *facts,
-                 const Scene *scene, const BaseSettings *base);
+// views_fit with room for the widest lookup, which it finds the first time,
+// facts_collect and blur_plan_decide. Soft shadows look all of a layer up where
+// they look it up.
+void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
+                  Views *views, const Scene *scene, const BaseSettings *base);
 
 enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 

@@ -59,9 +59,10 @@ static void write_looked_up(FILE *file, const Rect *rect)
             rect->low[1], rect->high[0], rect->high[1]);
 }
 
-static void write_views(FILE *file, const Facts *facts, const Light *light)
+static void write_views(FILE *file, const Facts *facts)
 {
     const Views *views = facts->views;
+    const Light *light = &facts->scene->light;
     const double *origin = views->origin;
     fprintf(file, "  \"origin\": [%.17g, %.17g, %.17g],\n", origin[0],
             origin[1], origin[2]);
@@ -101,14 +102,15 @@ static void write_passes(FILE *file, const Stopwatch *stopwatch)
 
 static void write_run(FILE *file, const Run *run)
 {
-    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n",
-            run->base->program, run->base->program[4] - '0');
+    const BaseSettings *base = run->facts->settings;
+    fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n", base->program,
+            base->program[4] - '0');
     fputs("  \"scene\": ", file);
-    options_write_text(file, run->base->scene);
+    options_write_text(file, base->scene);
     fputs(",\n  \"options\": {", file);
     options_write_json(file, run->tables);
     fputs("\n  },\n", file);
-    write_views(file, run->facts, run->light);
+    write_views(file, run->facts);
     fprintf(file, "  \"map_bytes\": %zu,\n", run->map_bytes);
     fprintf(file, "  \"gl_renderer\": \"%s\",\n",
             (const char *)glGetString(GL_RENDERER));
@@ -123,7 +125,7 @@ void dump_run(const Run *run)
     char path[FILE_NAME_BYTES];
     char *text = NULL;
     size_t length = 0;
-    snprintf(path, sizeof path, "%s/run.json", run->base->dump);
+    snprintf(path, sizeof path, "%s/run.json", run->facts->settings->dump);
     FILE *memory = open_memstream(&text, &length);
     if (memory == NULL) {
         die("no memory for %s", path);

@@ -5,7 +5,6 @@
 
 #include "step1_shadowmap/base/facts.h"     // Facts
 #include "step1_shadowmap/base/options.h"   // OptionTable
-#include "step1_shadowmap/base/settings.h"  // BaseSettings
 #include "step1_shadowmap/base/stopwatch.h" // Stopwatch
 #include "step1_shadowmap/base/view.h"      // Views
 
@@ -18,10 +17,8 @@ void dump_layers(const char *directory, const char *name, GLuint texture,
                  int width, int height, int layers, int channels);
 
 typedef struct Run {
-    const BaseSettings *base;
     const OptionTable *tables;
-    const Light *light; // that the views are of
-    const Facts *facts; // of the views and what is in them
+    const Facts *facts; // of the scene, its views and what is in them
     const Stopwatch *stopwatch;
     size_t map_bytes; // of all maps that the light's part of the frame needs
 } Run;

@@ -301,11 +301,10 @@ void facts_look_everywhere(Facts *facts)
     }
 }
 
-void facts_keep_all(Facts *facts)
+static void keep_all(Facts *facts)
 {
     facts->whole = true;
     facts->lookups = true;
-    facts->plan.count = 0;
     for (int layer = 0; layer < facts->layer_count; layer++) {
         facts->layers[layer] =
             (LayerFacts){rect_whole(facts->size[0], facts->size[1]), INFINITY};
@@ -318,6 +317,7 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
     bool shadows = base_shadows(settings);
     *facts = (Facts){.scene = scene,
                      .views = views,
+                     .settings = settings,
                      .layer_count = views->layers,
                      .size = {views->width, views->height},
                      .later = shadows && settings->window,
@@ -325,10 +325,10 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                      .redraw = settings->keep_all || settings->redraw};
     const char *why = "--shadows off";
     if (shadows && settings->keep_all) {
-        facts_keep_all(facts);
+        keep_all(facts);
         why = "--keep-all";
     } else if (shadows && base_show_mode(settings)->reads_map) {
-        facts_keep_all(facts);
+        keep_all(facts);
         why = "--show looks up every pixel";
     } else if (shadows) {
         collect_layers(facts, settings->size);
@@ -338,14 +338,6 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                                "in the map";
     }
     plan_add(&facts->plan, "lookup", -1, facts->lookups, 0, 0, "%s", why);
-}
-
-void facts_needed(const Facts *facts, int reach, Rect needed[])
-{
-    for (int layer = 0; layer < facts->layer_count; layer++) {
-        needed[layer] = rect_grow(&facts->layers[layer].looked_up, reach, reach,
-                                  facts->size);
-    }
 }
 
 void facts_list_casters(DrawList *list, const Facts *facts, int layer,

@@ -21,6 +21,7 @@ typedef struct LayerFacts {
 typedef struct Facts {
     const Scene *scene;
     const Views *views;
+    const BaseSettings *settings;
     LayerFacts layers[VIEW_MAX_LAYERS];
     int layer_count;
     int size[2];  // of the map, texels
@@ -33,9 +34,9 @@ typedef struct Facts {
     Plan plan;    // what has been decided from the facts
 } Facts;
 
-// The scene and the views have to stay where they are. With --keep-all, or a
-// choice of --show that looks the map up everywhere, the facts are those of a
-// scene that needs everything.
+// The scene, the views and the settings have to stay where they are. With
+// --keep-all, or a choice of --show that looks the map up everywhere, the facts
+// are those of a scene that needs everything.
 void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                    const BaseSettings *settings);
 
@@ -46,13 +47,6 @@ bool facts_make_maps(const Facts *facts);
 
 // A lookup may be anywhere in the layers that receivers are in.
 void facts_look_everywhere(Facts *facts);
-
-// From here on everything is needed: nothing of what was decided holds.
-void facts_keep_all(Facts *facts);
-
-// What is read of each layer by lookups that reach so many texels to each side
-// of the receiver's own.
-void facts_needed(const Facts *facts, int reach, Rect needed[]);
 
 // The objects on the layer's list whose outline in the map may cover one of
 // these texels.
