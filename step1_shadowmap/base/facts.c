@@ -84,43 +84,52 @@ static double texel_of(const Views *views, int layer, const double position[3],
     return w;
 }
 
-// How many texels a step in space, from a position with this place and w,
-// goes across the layer.
-static double step_length(const Views *views, int layer, const double step[3],
-                          const double texel[2], double w)
+// How far a pixel that shows the patch can be from its corner in space, along
+// each of the picture's axes. A ray r (view depth 1) meets the plane dot(n, p)
+// = d at p = r d / dot(n, r), the one beside it, r + s, at p + z (s - r n.s /
+// n.r) / (1 + n.s / n.r). False: the plane is seen edge on, and it may be
+// anywhere.
+static bool snap_steps(const Collector *all, const Patch *patch,
+                       const double corner[3], double steps[2][3])
 {
-    const double(*map)[4] = views->light[layer].map_from_relative;
-    const int size[2] = {views->width, views->height};
-    double most = 0;
+    double depth = dvec_dot(all->views->clip_from_relative[3], corner);
+    double away = dvec_dot(patch->normal, corner) / depth;
+    double tilts[2], left = 1;
     for (int axis = 0; axis < 2; axis++) {
-        double along = size[axis] * dvec_dot(map[axis], step) -
-                       texel[axis] * dvec_dot(map[3], step);
-        most = fmax(most, fabs(along / w));
+        tilts[axis] = SNAP * dvec_dot(patch->normal, all->pixel[axis]) / away;
+        left -= fabs(tilts[axis]);
     }
-    return most;
+    for (int axis = 0; axis < 2; axis++) {
+        for (int k = 0; k < 3; k++) {
+            steps[axis][k] =
+                (SNAP * depth * all->pixel[axis][k] - tilts[axis] * corner[k]) /
+                left;
+        }
+    }
+    return left > 0;
 }
 
-// How far from a patch's corner a pixel that shows the patch can be in the map,
-// in texels. A ray r (view depth 1) meets the plane dot(n, p) = d at p = r d /
-// dot(n, r); the next pixel's, which is r + s, at p + z (s - r n.s / n.r).
+// The same across the map, in texels, from a corner with this place and w.
 static double snap_texels(const Collector *all, const Patch *patch, int layer,
                           const double corner[3], const double texel[2],
                           double w)
 {
-    const double *depth_row = all->views->clip_from_relative[3];
-    double depth = dvec_dot(depth_row, corner);
-    double margin = 0;
-    for (int axis = 0; axis < 2; axis++) {
-        const double *pixel = all->pixel[axis];
-        double tilt = dvec_dot(patch->normal, pixel) * depth /
-                      dvec_dot(patch->normal, corner);
-        double step[3];
-        for (int k = 0; k < 3; k++) {
-            step[k] = SNAP * (depth * pixel[k] - tilt * corner[k]);
-        }
-        margin += step_length(all->views, layer, step, texel, w);
+    const double(*map)[4] = all->views->light[layer].map_from_relative;
+    const int size[2] = {all->views->width, all->views->height};
+    double steps[2][3], along[2] = {0, 0};
+    if (!snap_steps(all, patch, corner, steps)) {
+        return NOWHERE;
     }
-    return margin;
+    double least = w; // and this is where the map's own division ends
+    for (int step = 0; step < 2; step++) {
+        double towards = dvec_dot(map[3], steps[step]);
+        least -= fabs(towards);
+        for (int axis = 0; axis < 2; axis++) {
+            along[axis] += fabs(size[axis] * dvec_dot(map[axis], steps[step]) -
+                                texel[axis] * towards);
+        }
+    }
+    return least > 0 ? fmax(along[0], along[1]) / least : NOWHERE;
 }
 
 // How far off single precision can place it, in texels.
@@ -152,7 +161,6 @@ static void include_patch(Collector *all, const Patch *patch, int layer)
         double margin =
             snap_texels(all, patch, layer, corner, texel, w) +
             rounding_texels(all->views, layer, patch->size, texel, w);
-        // Edge on, or seen from its own plane: it may be anywhere.
         margin = isfinite(margin) ? margin : NOWHERE;
         include(all, layer, texel, margin, depth_of(all->views, layer, corner));
     }

@@ -5,9 +5,14 @@
 #include "step1_shadowmap/base/dvec.h"    // dvec_dot
 #include "step1_shadowmap/base/polygon.h" // polygon_clip
 
-// By how much more than the whole a layer's receivers are looked for, of the
-// whole: far more than single precision errs.
+// By how much more than the whole map receivers are looked for, of the whole:
+// far more than single precision errs.
 #define MARGIN 1e-4
+
+// The same of a point light's face and of a split, which another one is beside:
+// more than a pixel shows of a triangle beyond its edges, where a rasteriser
+// rounds them.
+#define WIDE_MARGIN 1e-2
 
 // Adds the half-space where the sum of some rows, times (p, 1), is not
 // negative: a + factor b >= 0.
@@ -58,7 +63,7 @@ static void add_face(Volume *volume, const Views *views, int face)
 {
     int axis = face / 2;
     double along[4] = {0, 0, 0, 0};
-    along[axis] = (face % 2 ? -1 : 1) * (1 + MARGIN);
+    along[axis] = (face % 2 ? -1 : 1) * (1 + WIDE_MARGIN);
     along[3] = -along[axis] * views->light_position[axis];
     for (int i = 1; i < 3; i++) {
         double across[4] = {0, 0, 0, 0};
@@ -73,7 +78,7 @@ static void add_face(Volume *volume, const Views *views, int face)
 static void add_split(Volume *volume, const Views *views, int layer)
 {
     const double *depth = views->clip_from_relative[3];
-    double margin = MARGIN * views->light[layer].end;
+    double margin = WIDE_MARGIN * views->light[layer].end;
     if (layer > 0) {
         const double begin[4] = {0, 0, 0,
                                  margin - views->light[layer - 1].handover};
