@@ -1,7 +1,7 @@
 # What is left out changes no pixel: the same bytes with and without --keep-all,
 # of the picture and of everything that it was made from. The maps under it are
 # not compared: a dump draws them whole. VSM_ALL=1 (make identical): every scene
-# in every step.
+# in every step and with every filter.
 use strict;
 use warnings;
 use File::Temp qw(tempdir);
@@ -31,25 +31,37 @@ my @scenes = (
 );
 
 for my $step ( 1 .. 5 ) {
-    my $all = $ENV{VSM_ALL} || $step == 5;
+    my @some = $step == 5 ? qw(teapot stage unlit offstage) : ();
     same_pixels( $step, '--scene', $_ )
-      for $all ? @scenes : ( $turned, 'offstage' );
+      for $ENV{VSM_ALL} ? @scenes : ( $turned, @some );
 }
-same_pixels( $_, '--scene', 'avenue:turn=40', qw(--splits 4) ) for 2, 5;
-same_pixels( 5,  '--scene', 'offstage', '--light', $_ ) for qw(spot point);
+same_pixels( 2, qw(--scene avenue:turn=40 --splits 4) );
+same_pixels( 5, qw(--scene offstage --light point) );
 
 # Every pass of the filter, and every lookup, in rectangles.
-for my $options (
+my @filters = (
     [qw(--radius 0)],
     [qw(--blur gaussian --radius 9 --downsample 2)],
-    [qw(--mips --radius 0)],
+    [qw(--blur boxes --radius 10)],
+    [qw(--blur boxes --radius 10 --blur-by fragments)],
     [qw(--mips --anisotropy 8)],
     [qw(--sat)],
     [qw(--sat --sat-by fragments --sat-width adaptive)],
-    [qw(--moments central --msaa 4)],
-  )
-{
-    same_pixels( 5, '--scene', $turned, @$options );
+    [qw(--msaa 4 --mips --radius 0)],
+    [qw(--soft --hybrid)],
+    [qw(--deferred --format rg16f --slope-term)],
+);
+my @more = (
+    [qw(--soft)],
+    [qw(--mips --sampler hardware)],
+    [qw(--moments raw --blur boxes --radius 4 --mips)],
+    [qw(--blur binomial)],
+    [qw(--depth projected)],
+    [qw(--moments raw --slope-term --slope-from derivatives)],
+);
+for my $options ( @filters, $ENV{VSM_ALL} ? @more : () ) {
+    same_pixels( 5, '--scene', $_, @$options )
+      for $ENV{VSM_ALL} ? @scenes : $turned;
 }
 
 # The camera before one wall: about ten times faster, with the maps drawn in
