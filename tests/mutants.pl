@@ -1,15 +1,17 @@
 #!/usr/bin/perl
-# Plants one mistake at a time in a shader and demands that a step's tests
-# fail. The tests compare with formulas, closed forms and ray casting: none of
-# them knows the committed pictures. usage: mutants.pl [NAME...]
+# Plants one mistake at a time in a shader, or in a C file and then builds the
+# programs again in a copy, and demands that a step's tests fail. The tests
+# compare with formulas, closed forms and ray casting: none of them knows the
+# committed pictures. usage: mutants.pl [NAME...]
 use strict;
 use warnings;
+use Cwd qw(abs_path);
 use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
 
-# name => [test that must fail, shader, what stands there, the mistake, and
-# where one shader is not enough another three of these]
+# name => [test that must fail, file, what stands there, the mistake, and where
+# one file is not enough another three of these]
 my %mutants = (
     'every tap reads the same texel' => [
         'step2', 'step2_pcf/shaders/pcf.glsl',
@@ -613,6 +615,35 @@ my %mutants = (
         'size.x >= max(size.y, size.z)',
         '1.2 * size.x >= max(size.y, size.z)'
     ],
+    'a face of the light that is left out' => [
+        'plan', 'step1_shadowmap/base/volume.c',
+        'along[axis] = (face % 2 ? -1 : 1)',
+        'along[axis] = (face % 2 ? -1 : face == 4 ? -1 : 1)'
+    ],
+    'a rectangle that ends before its receivers' => [
+        'looked_up',           'step1_shadowmap/base/facts.c',
+        ') + MARGIN_TEXELS;', ') - 2 * MARGIN_TEXELS;'
+    ],
+    'a blur that reads beyond what was drawn' => [
+        'plan',                'step4_blur/blur_plan.c',
+        'axis == 0 ? side : 0', 'axis == 0 ? side - 2 : 0'
+    ],
+    'blocks that start where the rectangle does' => [
+        'plan',
+        'step4_blur/running_box.c',
+        '(start + width - 1) / width * width',
+        'start'
+    ],
+    'a level of the chain that is not wide enough' => [
+        'plan',                   'step4_blur/blur_plan.c',
+        'settings->downsample << level', 'settings->downsample << 2 * level'
+    ],
+    'casters only where receivers are' => [
+        'plan',
+        'step1_shadowmap/base/facts.c',
+        'high[axis] = (texels->high[axis] + 1.0)',
+        'high[axis] = (texels->low[axis] + 1.0)'
+    ],
 );
 
 sub read_file {
@@ -622,32 +653,52 @@ sub read_file {
     return <$file>;
 }
 
-# A folder that holds only the shaders with the mistake in them.
+# A copy of what the programs are made from and of what has been made of it, so
+# that a change costs one file to compile. Programs keep their shaders' folder.
+sub copy_tree {
+    my ($folder) = @_;
+    my @copied = (
+        'Makefile', 'tests/tests.mk', glob('step*'), glob('build/obj/step*'),
+        qw(build/glad build/image.so)
+    );
+    system( 'cp', '-a', '--parents', @copied, $folder ) == 0
+      or die "cannot copy to $folder\n";
+    symlink abs_path('build/oracle'), "$folder/build/oracle";
+    return;
+}
+
+# Plants the changes into a folder. Returns what a test's environment is to say
+# so that it finds them there.
 sub plant {
     my @change = @_;
     my $folder = tempdir( CLEANUP => 1 );
+    my $is_c   = grep { /\.[ch]$/ } @change;
+    copy_tree($folder) if $is_c;
     plant_one( $folder, splice @change, 0, 3 ) while @change;
-    return $folder;
+    return ( VSM_SHADERS => $folder ) unless $is_c;
+    system("make -C $folder DEPS=no programs >$folder/log 2>&1") == 0
+      or die "the mutant does not build:\n" . read_file("$folder/log");
+    return ( VSM_BUILD => "$folder/build" );
 }
 
 sub plant_one {
-    my ( $folder, $shader, $from, $to ) = @_;
-    my $text  = read_file($shader);
+    my ( $folder, $path, $from, $to ) = @_;
+    my $text  = read_file($path);
     my $place = index $text, $from;
-    $place >= 0 or die "$shader does not hold '$from' any more\n";
+    $place >= 0 or die "$path does not hold '$from' any more\n";
     substr( $text, $place, length $from ) = $to;
-    make_path( dirname("$folder/$shader") );
-    open my $file, '>', "$folder/$shader" or die "cannot write: $!\n";
+    make_path( dirname("$folder/$path") );
+    open my $file, '>', "$folder/$path" or die "cannot write: $!\n";
     print {$file} $text;
     close $file or die "cannot write: $!\n";
     return;
 }
 
-# The first test that fails with these shaders, or nothing. The tests after
-# it are not run: one is enough.
+# The first test that fails with these in its environment, or nothing. The
+# tests after it are not run: one is enough.
 sub first_failure {
-    my ( $test, $folder ) = @_;
-    local $ENV{VSM_SHADERS} = $folder;
+    my ( $test, %where ) = @_;
+    local @ENV{ keys %where } = values %where;
     my $file = 'tests/' . ( $test =~ m{/} ? '' : 'images/' ) . "$test.t";
     my $child = open my $tap, '-|',
       "exec perl -Itests/lib $file 2>/dev/null"
@@ -660,7 +711,7 @@ sub first_failure {
         return $failure;
     }
     return if close $tap;
-    die "the mutant does not run: $folder\n";
+    die "the mutant does not run: @{[ %where ]}\n";
 }
 
 # Judges these mutants, a line each.
