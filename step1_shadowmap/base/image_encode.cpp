@@ -76,6 +76,8 @@ static std::vector<unsigned char> encode_picture(const char *path,
 ImageBytes image_encode(const char *path, const float *pixels, int width,
                         int height, int channels)
 {
+    // A picture is small: handing rows to other threads takes longer.
+    OIIO::attribute("threads", 1);
     ImageBytes result = {};
     std::string reason;
     try {
