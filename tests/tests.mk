@@ -72,6 +72,9 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/rep
 	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the report' $(REPORT_RECOGNISED)
 	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
 
+bench: set-up-tests programs ## how the time grows with width, map, triangles, picture, layers: out/bench/
+	@VSM_BUILD=$(BUILD) perl tests/report/bench.pl
+
 mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
 

@@ -15,7 +15,7 @@ use VSM;
 use Progress;
 use Workers qw(share_out);
 
-our @EXPORT_OK = qw(measure processors table quantile);
+our @EXPORT_OK = qw(measure processors table quantile times_of summarise);
 
 my $JSON = JSON::PP->new->canonical;
 

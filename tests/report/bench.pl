@@ -1,0 +1,209 @@
+#!/usr/bin/perl
+# How the time of a frame grows with the filter's width, the map, the triangles,
+# the picture and the layers, and whether what is claimed of it holds. Prints
+# a table, and writes out/bench/results.csv (or below BENCH_OUT).
+#
+# The programs take turns: each runs once per round, so that a slow minute of
+# the machine hits all of them alike. The second and third round leave out
+# what took long, and a round is begun only in the first minutes; BENCH_SECONDS
+# says how many seconds (300).
+#
+# Exit status: 0 all is measured and the claims hold, 1 one does not, 2 bad
+# usage or no place to write, 3 something is missing.
+use strict;
+use warnings;
+use FindBin;
+use lib $FindBin::Bin, "$FindBin::Bin/../lib";
+use File::Path  qw(make_path);
+use Time::HiRes qw(time);
+use VSM;
+use Bench   qw(@SWEEPS @CLAIMS @GROWTHS points);
+use Growth  qw(exponent);
+use Judge   qw(ratio);
+use Measure qw(processors quantile summarise times_of);
+
+use constant {
+    ROUNDS  => 3,
+    FRAMES  => 5,     # of a run; of one that took long one
+    LONG    => 6,     # seconds
+    TIMEOUT => 300,
+};
+
+my $folder  = $ENV{BENCH_OUT}     // root() . '/out/bench';
+my $seconds = $ENV{BENCH_SECONDS} // 300;
+
+# --- measuring ---------------------------------------------------------------
+
+# The larger of a sweep's values come last and take longest: what took long at
+# one is given a single frame at the next.
+sub measure_round {
+    my ( $round, $points, $slow ) = @_;
+    for my $point (@$points) {
+        my $name = "$point->{sweep} $point->{run}";
+        next if $point->{missing} || $round > 0 && $point->{took} > LONG;
+        my $frames = $slow->{$name} ? 1 : FRAMES;
+        my $begun  = time;
+        my $times  = eval { times_of( $point, $folder, $frames ) };
+        $point->{took} = time - $begun;
+        $slow->{$name} = 1 if $point->{took} > LONG;
+        if ($times) { push @{ $point->{timed} }, $times }
+        else        { $point->{missing} = $@ =~ s/\n\z//r }
+        print STDERR '.';
+    }
+    print STDERR "\n";
+    return;
+}
+
+sub measure {
+    my @points = @_;
+    my $begun  = time;
+    my %slow;
+    for my $round ( 0 .. ROUNDS - 1 ) {
+        last if $round > 0 && time - $begun > $seconds;
+        print STDERR 'round ', $round + 1, ': ';
+        measure_round( $round, \@points, \%slow );
+    }
+    summarise( $_, @{ $_->{timed} } ) for grep { $_->{timed} } @points;
+    return;
+}
+
+# --- what was found ----------------------------------------------------------
+
+# The median of a pass, or the sum of those of several.
+sub time_of {
+    my ( $point, $passes ) = @_;
+    my $sum = 0;
+    $sum += $point->{"${_}_ms"} // return for split /\+/, $passes;
+    return $sum;
+}
+
+# The measured points of one run of a sweep as [value, milliseconds].
+sub series {
+    my ( $sweep, $run, $passes, @points ) = @_;
+    my @found;
+    for (@points) {
+        next if $_->{sweep} ne $sweep || $_->{run} ne $run || $_->{missing};
+        my $time = time_of( $_, $passes );
+        push @found, [ $_->{value}, $time ] if defined $time;
+    }
+    return @found;
+}
+
+sub last_exponent {
+    my @series = @_;
+    return exponent( @series[ -2, -1 ] ) if @series > 1;
+    return;
+}
+
+sub number {
+    my ($value) = @_;
+    return '-' unless defined $value;
+    return sprintf( '%.2f', $value ) =~ s/^-(?=0\.00$)//r;
+}
+
+sub print_sweep {
+    my ( $sweep, @points ) = @_;
+    printf "\n%s: %s\n%-28s%7s%7s", @$sweep{qw(name unit)},
+      'milliseconds, medians', qw(p last);
+    printf '%10d', $_ for @{ $sweep->{values} };
+    print "\n";
+    for my $run ( @{ $sweep->{runs} } ) {
+        for my $passes ( @{ $run->{passes} } ) {
+            my @series =
+              series( $sweep->{name}, $run->{name}, $passes, @points );
+            my %time = map { @$_ } @series;
+            printf '%-28s%7s%7s', "$run->{name}: $passes",
+              map { number($_) } exponent(@series), last_exponent(@series);
+            printf '%10s', number( $time{$_} ) for @{ $sweep->{values} };
+            print "\n";
+        }
+    }
+    return;
+}
+
+# Each: whether it holds, and a line that says so. Nothing of what was not
+# measured.
+sub growth_claims {
+    my @points = @_;
+    my @claims;
+    for my $growth (@GROWTHS) {
+        my ($sweep) = grep { $_->{name} eq $growth->{sweep} } @SWEEPS;
+        my ($run) =
+          grep { $_->{name} eq $growth->{run} } @{ $sweep->{runs} };
+        my $p = last_exponent(
+            series( @$growth{qw(sweep run)}, $run->{passes}[0], @points ) );
+        next unless defined $p;
+        my ( $least, $most ) = @$growth{qw(least most)};
+        push @claims,
+          [
+            defined $least ? $p >= $least : $p <= $most,
+            sprintf '%s over %s, last exponent: %.2f, at %s',
+            $growth->{run},
+            $growth->{sweep},
+            $p,
+            defined $least ? "least $least" : "most $most"
+          ];
+    }
+    return @claims;
+}
+
+sub ratio_claims {
+    my @points = @_;
+    my @claims;
+    for my $claim (@CLAIMS) {
+        my ( $this, $that ) =
+          grep { $_->{sweep} eq 'claim' && $_->{run} eq $claim->{text} }
+          @points;
+        next if $this->{missing} || $that->{missing};
+        my $ratio = ratio( $claim->{pass}, $this, $that );
+        push @claims,
+          [
+            $ratio <= $claim->{most}, sprintf '%s: %.2f, at most %s',
+            $claim->{text},           $ratio,
+            $claim->{most}
+          ];
+    }
+    return @claims;
+}
+
+sub write_results {
+    my @points = @_;
+    my $text   = "sweep,run,value,pass,median_ms,q1_ms,q3_ms,frames,clock\n";
+    for my $point ( grep { !$_->{missing} } @points ) {
+        for my $pass (qw(map blur shading total)) {
+            next unless defined $point->{"${pass}_ms"};
+            $text .= join ',', "\"$point->{sweep}\"", "\"$point->{run}\"",
+              $point->{value}, $pass,
+              @$point{ map { "${pass}_$_" } qw(ms q1 q3) },
+              "$point->{frames},$point->{clock}\n";
+        }
+    }
+    spew( "$folder/results.csv", $text );
+    return;
+}
+
+sub main {
+    my @points = points();
+    $seconds =~ /^\d+$/
+      or die "BENCH_SECONDS=$seconds: a number of seconds is needed\n";
+    local $VSM::SECONDS = TIMEOUT;
+    make_path($folder);
+    measure(@points);
+    write_results(@points);
+    my @processors = processors();
+    printf "%s x %d, t ~ x^p by least squares of logarithms; last: p between "
+      . "the last two\n", $processors[0], scalar @processors;
+    print_sweep( $_, @points ) for @SWEEPS;
+    my @claims = ( growth_claims(@points), ratio_claims(@points) );
+    print "\n", map { ( $_->[0] ? 'holds ' : 'FAILS ', "$_->[1]\n" ) } @claims;
+    my @missing = grep { $_->{missing} } @points;
+    print "MISSING $_->{sweep} $_->{run} $_->{value}: $_->{missing}\n"
+      for @missing;
+    return 3 if @missing;
+    return grep( { !$_->[0] } @claims ) ? 1 : 0;
+}
+
+$| = 1;
+my $status = eval { main() };
+print STDERR "bench: $@" unless defined $status;
+exit( $status // 2 );
