@@ -32,6 +32,13 @@ sub number {
     return sprintf '%.*f', $digits > 0 ? $digits : 0, $value;
 }
 
+# The different values of a column, in the points' order.
+sub names_of {
+    my ( $column, @points ) = @_;
+    my %seen;
+    return grep { !$seen{$_}++ } map { $_->{$column} } @points;
+}
+
 # --- diagrams ----------------------------------------------------------------
 
 # Why diagrams could not be drawn, of the page that is being made.
@@ -71,16 +78,22 @@ sub by_width {
 sub front {
     my ( $truth, @points ) = @_;
     my @names = map { escaped( $_->{label} ) } stair( $truth, @points );
-    return @names ? '; front: ' . join( ' &middot; ', @names ) : '';
+    return @names ? '. Front: ' . join( ' &middot; ', @names ) : '';
 }
 
+# A comparison with the mean is so wrong that the others would be a heap beside
+# it; maps of other sizes have their own section.
 sub diagrams {
     my ( $folder, $scene, @points ) = @_;
-    my @area = grep { defined $_->{area_rmse} } @points;
+    my @shown = grep { $_->{map} == $_->{usual_map} } @points;
+    my @area  = grep { defined $_->{area_rmse} } @shown;
+    my @drawn = grep { $_->{family} ne 'mean' } @shown;
+    my $without =
+      @drawn < @shown ? '. Not drawn: compared mean, far above' : '';
     return "<div class=\"grid\">\n"
       . figure(
-        'Error against time' . front( 'footprint', @points ),
-        work_precision( $folder, $scene, 'footprint', @points )
+        'Error against time' . $without . front( 'footprint', @drawn ),
+        work_precision( $folder, $scene, 'footprint', @drawn )
       )
       . figure(
         'Time against the filter\'s width; bars are quartiles',
@@ -95,27 +108,39 @@ sub diagrams {
       ) . "</div>\n";
 }
 
+# The points of a scene at width 7, or without a width, by technique: those
+# measured with maps of several sizes.
+sub by_map {
+    my %lines;
+    for my $point (@_) {
+        next unless $point->{width} == 1 || $point->{width} == 7;
+        push @{ $lines{ $point->{technique} } }, $point;
+    }
+    return map { @{ $lines{$_} } > 1 ? ( $_ => $lines{$_} ) : () } keys %lines;
+}
+
 # Where a scene was measured with maps of several sizes.
-sub map_growth {
+sub maps {
     my ( $folder, @points ) = @_;
-    my %maps;
-    $maps{ $_->{scene} }{ $_->{map} }++ for @points;
     my $text = '';
-    for my $scene ( grep { keys %{ $maps{$_} } > 1 } sort keys %maps ) {
-        my %lines;
-        for my $point ( grep { $_->{scene} eq $scene } @points ) {
-            next unless $point->{technique} =~ /^(?:hard|PCF|VSM|SAT)$/;
-            next unless $point->{width} == 1 || $point->{width} == 7;
-            push @{ $lines{ $point->{technique} } }, $point;
-        }
+    for my $scene ( names_of( 'scene', @points ) ) {
+        my @own = grep { $_->{scene} eq $scene } @points;
+        next if names_of( 'map', @own ) < 2;
+        my %lines = by_map(@own);
+        my @drawn = grep { $_->{family} ne 'mean' } @own;
         $text .= figure(
-            "$scene, width 7",
+            "$scene, maps of all sizes: error against time"
+              . front( 'footprint', @drawn ),
+            work_precision( $folder, "$scene-maps", 'footprint', @drawn )
+        );
+        $text .= figure(
+            "$scene, width 7: time against the map's size",
             growth(
                 $folder, "$scene-map",
                 'map',   'side of the map, texels',
                 %lines
             )
-        );
+        ) if %lines;
     }
     return $text ne ''
       ? "<div class=\"grid\">\n$text</div>"
@@ -345,11 +370,8 @@ sub page {
     my ( $folder, %report ) = @_;
     my @points = @{ $report{points} };
     my $about  = $report{environment};
-    my @scenes;
-    for my $scene ( map { $_->{scene} } @points ) {
-        push @scenes, $scene unless grep { $_ eq $scene } @scenes;
-    }
-    my $here = $FindBin::Bin;
+    my @scenes = names_of( 'scene', @points );
+    my $here   = $FindBin::Bin;
     @undrawn = ();
     my $page = filled(
         slurp("$here/page.html"),
@@ -374,11 +396,11 @@ sub page {
                     grep { $_->{scene} eq $scene } @points )
             } @scenes
         ),
-        map_growth => map_growth( $folder, @points ),
-        options    => join( '', map { "<option>$_</option>" } @scenes ),
-        head       => table_head(),
-        rows       => table_rows(@points),
-        claims     => join(
+        maps    => maps( $folder, @points ),
+        options => join( '', map { "<option>$_</option>" } @scenes ),
+        head    => table_head(),
+        rows    => table_rows(@points),
+        claims  => join(
             '',
             map {
                 sprintf "<li class=\"%s\">%s: %s</li>\n",

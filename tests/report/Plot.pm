@@ -37,7 +37,7 @@ my @FAMILIES = (
 
 # On a phone the diagram is two thirds of this size.
 my $HEAD = <<'END';
-set terminal svg size 540,460 dynamic noenhanced font 'sans-serif,16'
+set terminal svg size 540,500 dynamic noenhanced font 'sans-serif,16'
 set logscale xy
 set border 3
 set tics nomirror
@@ -118,8 +118,9 @@ sub series {
 }
 
 # Points of a scene: error against time, the error being that against one of
-# the truths. The widths of a family's plain technique are joined and named;
-# beside an area light each point is. The front is a stair below them.
+# the truths. The widths of a family's plain technique are joined, PCF's and
+# VSM's named too; beside an area light each point is. The front is a stair
+# below them.
 sub work_precision {
     my ( $folder, $scene, $truth, @points ) = @_;
     my ( @blocks, @parts );
@@ -148,8 +149,12 @@ sub work_precision {
             @named = grep { $_->{label} =~ /^\Q$family\E(?: \d+)?$/ } @own;
             next if @named < 2;
             $add->( "1:2 with lines lc $colour", undef, @named );
+            next unless $family eq 'PCF' || $family eq 'VSM';
         }
-        $add->( "1:2:3 with labels offset 0.9,0.6 tc $colour", undef, @named );
+        $add->(
+            "1:2:3 with labels left offset 0.6,0.5 tc $colour",
+            undef, @named
+        );
     }
     return drawn(
         "work-$scene-$truth",
