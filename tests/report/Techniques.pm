@@ -310,6 +310,11 @@ our $NOT_MEASURED = [
         'numbers to tune by hand; the defaults are measured'
     ],
     [
+        'frames in which nothing moves, --keep-all',
+        'every frame draws what it needs of its maps (--redraw); a map that '
+          . 'is kept costs nothing but the shading'
+    ],
+    [
         '--sampler hardware',
         'the picture of VSM mips by the texture unit, which llvmpipe only '
           . 'imitates'

@@ -265,4 +265,12 @@ is( "@{ $refused{$_} // [] }", '', "$_: the program takes its options" )
 my $csv = csv( { scene => 'a,b', label => 'say "x"', options => [qw(--x y)] } );
 like( $csv, qr/\n"a,b",,"say ""x""",,,,--x y,/, 'csv: quoted where needed' );
 
+# The README's table of columns, in groups as a shell writes them.
+my $readme = slurp( root() . '/tests/report/README.md' );
+is(
+    join( ' ', sort map { glob } $readme =~ /^\| `([a-z0-9_{},]+)` \|/mg ),
+    join( ' ', sort map { $_->[0] } @COLUMNS ),
+    'the README documents each column'
+);
+
 done_testing;
