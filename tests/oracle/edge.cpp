@@ -42,11 +42,16 @@ struct Prediction {
 };
 
 struct Tally {
-    size_t tested = 0, wrong = 0, penumbra = 0, untested = 0;
+    size_t tested = 0, wrong = 0, penumbra = 0, untested = 0, hidden = 0;
     double worst = 0, widest = 0;
+    double left = 0; // of the light, at most, where the filter is covered
 
     void add(const Prediction &prediction, double visibility)
     {
+        if (prediction.testable && prediction.lit == 0) {
+            hidden++;
+            left = std::max(left, visibility);
+        }
         if (!prediction.testable || prediction.bound > WIDEST) {
             untested++;
             return;
@@ -319,8 +324,10 @@ static void print(const char *what, const Tally &t, bool wants_penumbra,
     bool hidden = t.tested + t.untested == 0; // not in this picture
     report.line(t.wrong == 0 && (tested || (hidden && !wants_penumbra)), what,
                 "%zu of %zu pixels outside the bound (%zu with a mixed "
-                "filter), worst %.3g, widest bound %.3g, %zu untested",
-                t.wrong, t.tested, t.penumbra, t.worst, t.widest, t.untested);
+                "filter), worst %.3g, widest bound %.3g, %zu untested; %.3g "
+                "left in full shadow (%zu)",
+                t.wrong, t.tested, t.penumbra, t.worst, t.widest, t.untested,
+                t.left, t.hidden);
 }
 
 // With --msaa a texel is between both depths by steps of 1 / N. Each sample's
