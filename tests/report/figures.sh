@@ -84,6 +84,11 @@ step4_blur)
     join "$program/technique_boxes.png" boxes gaussian
     ;;
 step5_chebyshev)
+    panel nothing --scene edge:gap=0.03 --min-variance 0
+    panel least --scene edge:gap=0.03
+    panel constant --scene avenue --min-variance 1e-3
+    panel proven --scene avenue
+    join "$program/technique_min_variance.png" nothing least constant proven
     panel fixed --map-size 256 --radius 7 --sat
     panel adaptive --map-size 256 --radius 7 --sat --sat-width adaptive
     join "$program/technique_sat_width.png" fixed adaptive
