@@ -49,13 +49,29 @@ $(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED) $(ORACLE_BOUNDS)
 	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
 -include $(ORACLE_OBJECTS:.o=.d)
 
+# The programs once more, as ones that stay.
+define warm_rule
+$(BUILD)/warm/$1: $(BUILD)/obj/tests/warm.c.o $(call objects,$1) \
+    $(BUILD)/glad/gl.o | $(BUILD)/warm/image.so
+	@echo link $$@
+	@$$(CC) $$(LDFLAGS) -Wl,--wrap=main -o $$@ $$^ $$(LIBRARIES)
+endef
+$(foreach p,$(PROGRAMS),$(eval $(call warm_rule,$p)))
+$(BUILD)/warm/image.so: | $(BUILD)/image.so
+	@mkdir -p $(@D)
+	@ln -sf ../image.so $@
+-include $(BUILD)/obj/tests/warm.c.d
+
+.PHONY: warm
+warm: programs $(PROGRAMS:%=$(BUILD)/warm/%)
+
 ifeq ($(origin STEP),command line)
 TESTS = tests/images/step$(STEP).t
 else
 TESTS = -r tests/images tests/robustness tests/stability
 endif
 
-test: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (STEP=n: one step only)
+test: set-up-tests warm $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (STEP=n: one step only)
 	@VSM_BUILD=$(BUILD) perl tests/run.pl $(TESTS)
 
 # Everything once more, with the programs watching their own memory. The two
@@ -75,7 +91,7 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/rep
 bench: set-up-tests programs ## how the time grows with width, map, triangles, picture, layers: out/bench/
 	@VSM_BUILD=$(BUILD) perl tests/report/bench.pl
 
-mutants: set-up-tests programs $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
+mutants: set-up-tests warm $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
 stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## the extreme cases, as a table and out/stability/results.csv

@@ -15,7 +15,8 @@ our @EXPORT = qw(draw is_refused);
 # of an option given twice the last one counts.
 sub draw {
     my ( $step, @arguments ) = @_;
-    my $run = run( $step, qw(--size 160x90 --output picture.png), @arguments );
+    my $run =
+      run_warm( $step, qw(--size 160x90 --output picture.png), @arguments );
     my $picture = -e 'picture.png' ? slurp('picture.png') : '';
     unlink 'picture.png';
     return $picture if !$run->{status} && !$run->{signal};

@@ -23,8 +23,8 @@ use IPC::Open2 qw(open2);
 use POSIX ();
 use Test::More;
 
-our @EXPORT = qw(root program_name program command run dump_run oracle
-  ask_oracle  slurp spew everything_below png_size stops);
+our @EXPORT = qw(root program_name program command run run_warm dump_run
+  oracle ask_oracle slurp spew everything_below png_size stops);
 
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
@@ -80,6 +80,61 @@ sub run {
     return command( program($step), @shaders, @arguments );
 }
 
+# The same by a program that stays (tests/warm.c) and has loaded already what
+# takes longest. For tests of pictures: what the command line does, run() shows.
+# Without such a program, or in another environment, it is run().
+my %warm;    # by step: the pipes, and the environment at the start
+
+sub run_warm {
+    my ( $step, @arguments ) = @_;
+    my @shaders = $SHADERS ? ( '--shaders', $SHADERS ) : ();
+    my $warm    = $warm{$step} //= start_warm($step);
+    return run( $step, @arguments )
+      if !$warm->{to} || $warm->{environment} ne environment()
+      || grep { /[\t\n]/ } @arguments;
+    my ( $out, $err ) = ( File::Temp->new, File::Temp->new );
+    local $SIG{PIPE} = 'IGNORE';
+    print { $warm->{to} } join( "\t",
+        abs_path('.'), $out->filename, $err->filename, $SECONDS, @shaders,
+        @arguments ), "\n";
+    $warm->{to}->flush;
+    my ( $status, $signal ) = split ' ', readline( $warm->{from} ) // '126 0';
+    return {
+        status => $status,
+        signal => $signal,
+        out    => slurp( $out->filename ),
+        err    => slurp( $err->filename ),
+    };
+}
+
+# Not what an earlier build left; and what looks for leaks has to see the end
+# of a program, which these skip.
+sub start_warm {
+    my ($step) = @_;
+    my $program = "$BUILD/warm/" . program_name($step);
+    return {}
+      if $ENV{VSM_SLOW} || !-e $program || -M $program > -M program($step);
+    my $child = open2( my $from, my $to, $program );
+    return {
+        child       => $child,
+        from        => $from,
+        to          => $to,
+        environment => environment()
+    };
+}
+
+sub environment {
+    return join "\0", map { "$_=$ENV{$_}" } sort keys %ENV;
+}
+
+END {
+    local $?;
+    for my $warm ( grep { $_->{to} } values %warm ) {
+        close $warm->{to};
+        waitpid $warm->{child}, 0;
+    }
+}
+
 # The folder with the --dump of a run, its picture as picture.exr among it.
 # The same run is made once for a test file; the folder is kept for a look
 # when a test in the file has failed.
@@ -91,7 +146,7 @@ sub dump_run {
     my $folder = "$BUILD/test/$key";
     remove_tree($folder);    # an earlier program's files prove nothing
     make_path($folder);
-    my $run = run( $step, @arguments, '--dump', $folder, '--output',
+    my $run = run_warm( $step, @arguments, '--dump', $folder, '--output',
         "$folder/picture.exr" );
     die "$run->{err}step $step @arguments: exit status $run->{status}, "
       . "signal $run->{signal}\n"

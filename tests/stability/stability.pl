@@ -202,7 +202,7 @@ sub rows_of {
     remove_tree($dump);
     make_path($dump);
     my @options = @{ $job->{options} };
-    my $run     = run( $step, @options, '--dump', $dump, '--output',
+    my $run     = run_warm( $step, @options, '--dump', $dump, '--output',
         "$dump.exr" );
     my $pattern = $case->{refused}{$step};
     return refused_row( $job, $pattern, $run ) if $pattern;
@@ -214,7 +214,7 @@ sub rows_of {
     push @rows, closed_form_row( $job, $dump )
       if $case->{closed} && ( $step == 2 || $step == 5 );
     if ( $case->{picture} ) {
-        run( $step, @options, @{ $case->{picture} }, '--output',
+        run_warm( $step, @options, @{ $case->{picture} }, '--output',
             "$dump.base.exr" );
         push @rows, picture_row( $job, "$dump.exr", "$dump.base.exr" );
     }
