@@ -74,8 +74,7 @@ static GLuint create_weights(const BlurSettings *settings, const int sides[2])
 // lesson's own shader runs.
 enum { FRAGMENTS_RADIUS = 3 };
 
-// Whether running boxes are to blur, and can.
-static bool runs(const BlurSettings *settings, const MomentsSettings *moments)
+bool blur_runs(const BlurSettings *settings, const MomentsSettings *moments)
 {
     if (strcmp(settings->by, "compute") == 0 && !gl_has_compute()) {
         die_usage("--blur-by compute needs OpenGL 4.3, and this driver has no "
@@ -93,7 +92,7 @@ static void create_filters(Blur *blur, ShaderFiles files,
                            const MomentsSettings *moments)
 {
     blur->filter_count = blur_filters(settings, blur->filters);
-    blur->running = runs(settings, moments);
+    blur->running = blur_runs(settings, moments);
     blur->blur_program =
         blur->running
             ? running_box_program(files, moments)

@@ -50,6 +50,10 @@ int blur_filters(const BlurSettings *settings,
 // Whether running boxes can blur with these settings.
 bool blur_can_run(const BlurSettings *settings, const MomentsSettings *moments);
 
+// Whether they do, and not fragments: as --blur-by says, or the quicker ones.
+// Refuses (status 2) compute shaders where the driver has none.
+bool blur_runs(const BlurSettings *settings, const MomentsSettings *moments);
+
 // Whether the texture unit chooses and blends the levels.
 bool blur_uses_hardware(const BlurSettings *settings);
 

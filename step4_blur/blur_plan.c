@@ -1,5 +1,7 @@
 #include "step4_blur/blur.h"
 
+#include <stdio.h> // snprintf
+
 // Of the filtered map, texels.
 typedef struct FilteredSize {
     int level[MIPS_MAX_LEVELS][2];
@@ -110,27 +112,37 @@ static void add_not_asked(Facts *facts, const char *pass, const char *why)
     plan_add(&facts->plan, pass, -1, false, 0, 0, "%s", why);
 }
 
-static void add_filter_rows(const BlurPlan *plan, const BlurSettings *settings,
-                            Facts *facts, const FilteredSize *size,
-                            size_t texel_bytes)
+static void add_blur_rows(const BlurPlan *plan, const BlurSettings *settings,
+                          const MomentsSettings *moments, Facts *facts,
+                          const int size[2])
 {
-    const int *fine = size->level[0];
+    BlurSides filters[BLUR_MAX_FILTERS];
+    int count = blur_filters(settings, filters);
+    char why[64];
+    snprintf(why, sizeof why, "%s, by %s", settings->kernel,
+             blur_runs(settings, moments) ? "running boxes in compute shaders"
+                                          : "fragments");
+    for (int i = 0; i < 2 * count; i++) {
+        add_row(facts, i < count ? "blur along u" : "blur along v",
+                saved(facts, size, plan->passes[i]),
+                gl_texel_bytes(moments_format(moments)), why);
+    }
+}
+
+static void add_filter_rows(const BlurPlan *plan, const BlurSettings *settings,
+                            const MomentsSettings *moments, Facts *facts,
+                            const int size[2])
+{
     if (settings->downsample > 1) {
-        add_row(facts, "downsampling", saved(facts, fine, plan->small),
-                texel_bytes, "--downsample");
+        add_row(facts, "downsampling", saved(facts, size, plan->small),
+                gl_texel_bytes(moments_format(moments)), "--downsample");
     } else {
         add_not_asked(facts, "downsampling", "--downsample 1");
     }
     if (settings->sat) {
         add_not_asked(facts, "blur", "the table holds every box");
     } else if (blur_used_radius(settings) > 0) {
-        BlurSides filters[BLUR_MAX_FILTERS];
-        int count = blur_filters(settings, filters);
-        for (int i = 0; i < 2 * count; i++) {
-            add_row(facts, i < count ? "blur along u" : "blur along v",
-                    saved(facts, fine, plan->passes[i]), texel_bytes,
-                    settings->kernel);
-        }
+        add_blur_rows(plan, settings, moments, facts, size);
     } else {
         add_not_asked(facts, "blur", "radius 0: it would copy the map");
     }
@@ -166,7 +178,6 @@ void blur_plan_decide(BlurPlan *plan, Facts *facts,
 {
     FilteredSize size = filtered_size(settings, facts);
     GLenum format = moments_format(moments);
-    size_t texel_bytes = gl_texel_bytes(format);
     Rect needed[VIEW_MAX_LAYERS];
     for (int layer = 0; layer < facts->layer_count; layer++) {
         decide_layer(plan, settings, facts, &size, layer);
@@ -174,8 +185,8 @@ void blur_plan_decide(BlurPlan *plan, Facts *facts,
             rect_multiply(&plan->small[layer], settings->downsample);
     }
     map_plan_decide(&plan->map, facts, needed, "moments", format);
-    add_filter_rows(plan, settings, facts, &size, texel_bytes);
-    add_lookup_rows(plan, settings, facts, &size, texel_bytes);
+    add_filter_rows(plan, settings, moments, facts, size.level[0]);
+    add_lookup_rows(plan, settings, facts, &size, gl_texel_bytes(format));
 }
 
 BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur)

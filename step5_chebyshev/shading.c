@@ -164,6 +164,9 @@ void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
         facts_look_everywhere(facts);
     }
     blur_plan_decide(plan, facts, &settings->blur, &settings->moments);
+    plan_add(&facts->plan, "G-buffer", -1, settings->deferred, 0, 0, "%s",
+             settings->deferred ? "--deferred"
+                                : "surfaces are shaded as they are drawn");
 }
 
 // Puts the adaptive box's lookup, and the footprint that this one asks for, in

@@ -619,6 +619,8 @@ sub check_sat_by {
       map { draw( $step, @words, $_ ) } qw(auto compute fragments);
     ok( $auto && $auto eq $compute && $auto eq $fragments,
         "step $step: --sat-by does not change the picture" );
+    is_planned( $step, 'summed-area table', @$_ )
+      for [ 'compute', '--sat' ], [ 'fragments', @words, 'fragments' ];
     is_refused( $step, [qw(--sat-by compute)],
         [qr/--sat-by compute.*add --sat or drop --sat-by/],
         '--sat-by without --sat' );
@@ -633,6 +635,17 @@ sub check_sat_by {
 
 # The same filter, rounded in another order; where the driver has no compute
 # shaders, the choice is made or refused.
+# Who does a pass, as --plan says.
+sub is_planned {
+    my ( $step, $pass, $by, @options ) = @_;
+    my $run = run( $step, qw(--size 160x90 --output planned.png --plan),
+        @options );
+    like( $run->{out}, qr/^$pass .* by $by/m,
+        "step $step @options: --plan says by $by" );
+    unlink 'planned.png';
+    return;
+}
+
 sub check_blur_by {
     my ($step) = @_;
     my @words = qw(--scene edge --show variance --moments raw --radius 8
@@ -642,6 +655,9 @@ sub check_blur_by {
     ok( $auto && $auto eq $compute, "step $step: --blur-by auto is compute" );
     ok( $fragments && $fragments ne $compute,
         "step $step: --blur-by fragments rounds otherwise" );
+    is_planned( $step, 'blur along u', @$_, qw(--radius 8) )
+      for [ 'running boxes', qw(--blur boxes) ],
+      [ 'fragments', qw(--blur gaussian) ];
     for my $other ( [qw(--blur gaussian)], [qw(--format rg16f)] ) {
         is_refused(
             $step, [ @$other, qw(--blur-by compute) ],
