@@ -3,8 +3,9 @@
 #include <stdio.h>  // snprintf
 #include <stdlib.h> // free
 
-#include "step1_shadowmap/base/die.h"  // allocate, die_usage
-#include "step1_shadowmap/base/dump.h" // dump_image
+#include "step1_shadowmap/base/die.h"    // allocate, die_usage
+#include "step1_shadowmap/base/dump.h"   // dump_image
+#include "step1_shadowmap/base/memory.h" // memory_check
 
 // Textures and renderbuffers have a limit each, and ours has both.
 static void check_limit(int samples)
@@ -53,10 +54,11 @@ Multisample multisample_create(Program resolve, int samples, GLenum format,
 {
     check_limit(samples);
     Multisample m = {.resolve = resolve, .samples = samples, .format = format};
-    m.texture = create_texture(samples, format, width, height);
-    m.depth_buffer = create_depth_buffer(samples, width, height);
     m.bytes = (size_t)samples * (size_t)width * (size_t)height *
               (gl_texel_bytes(format) + gl_texel_bytes(GL_DEPTH_COMPONENT32F));
+    memory_check(m.bytes, "%d samples of %dx%d texels", samples, width, height);
+    m.texture = create_texture(samples, format, width, height);
+    m.depth_buffer = create_depth_buffer(samples, width, height);
     glGenFramebuffers(1, &m.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, m.framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,

@@ -3,8 +3,9 @@
 #include <stdio.h>  // snprintf
 #include <stdlib.h> // free
 
-#include "step1_shadowmap/base/die.h"  // die_usage
-#include "step1_shadowmap/base/dump.h" // dump_image
+#include "step1_shadowmap/base/die.h"    // die_usage
+#include "step1_shadowmap/base/dump.h"   // dump_image
+#include "step1_shadowmap/base/memory.h" // memory_check
 
 int mips_count(const int size[2])
 {
@@ -23,10 +24,13 @@ static void add_levels(Mips *mips, GLenum format)
     mips->levels = mips_count(size);
     for (int level = 1; level < mips->levels; level++) {
         int width = size[0] >> level, height = size[1] >> level;
+        size_t bytes =
+            texel * (size_t)width * (size_t)height * (size_t)mips->layers;
+        memory_check(bytes, "mip-map level %d of %dx%d texels", level, width,
+                     height);
         glTexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, width, height,
                      mips->layers, 0, GL_RED, GL_FLOAT, NULL);
-        mips->bytes +=
-            texel * (size_t)width * (size_t)height * (size_t)mips->layers;
+        mips->bytes += bytes;
     }
 }
 

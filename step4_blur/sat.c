@@ -3,8 +3,9 @@
 #include <stdint.h> // UINT32_MAX
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h"  // die_usage
-#include "step1_shadowmap/base/dump.h" // dump_layers
+#include "step1_shadowmap/base/die.h"    // die_usage
+#include "step1_shadowmap/base/dump.h"   // dump_layers
+#include "step1_shadowmap/base/memory.h" // memory_check
 
 // Integers cannot be filtered, so the lookup reads single texels.
 static GLuint create_table(const Sat *sat)
@@ -40,9 +41,11 @@ static Program create_program(ShaderFiles files, const char *const fragment[])
 
 static void add_table(Sat *sat, int i)
 {
+    size_t bytes = (size_t)sat->width * (size_t)sat->height *
+                   (size_t)sat->layers * 2 * sizeof(GLuint);
+    memory_check(bytes, "a table of %dx%d texels", sat->width, sat->height);
     sat->textures[i] = create_table(sat);
-    sat->bytes += (size_t)sat->width * (size_t)sat->height *
-                  (size_t)sat->layers * 2 * sizeof(GLuint);
+    sat->bytes += bytes;
 }
 
 // Recursive doubling reads one table while it draws the other.

@@ -60,6 +60,7 @@ base := \
     step1_shadowmap/base/image.h step1_shadowmap/base/image.c \
     step1_shadowmap/base/image_encode.h step1_shadowmap/base/image_encode.cpp \
     step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
+    step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
     step1_shadowmap/base/base.mk
 

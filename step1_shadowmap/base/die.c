@@ -5,7 +5,10 @@
 #include <errno.h> // program_invocation_short_name
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdint.h> // SIZE_MAX
 #include <stdlib.h>
+
+#include "step1_shadowmap/base/memory.h" // memory_check
 
 static void print(const char *format, va_list arguments)
 {
@@ -46,6 +49,9 @@ void complain(const char *format, ...)
 
 void *allocate(size_t count, size_t size)
 {
+    size_t bytes =
+        size > 0 && count > SIZE_MAX / size ? SIZE_MAX : count * size;
+    memory_check(bytes, "%zu x %zu bytes", count, size);
     void *memory = calloc(count, size);
     if (memory == NULL) {
         die("no memory for %zu x %zu bytes", count, size);

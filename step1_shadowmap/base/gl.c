@@ -1,6 +1,7 @@
 #include "step1_shadowmap/base/gl.h"
 
-#include "step1_shadowmap/base/die.h" // allocate, die, die_usage
+#include "step1_shadowmap/base/die.h"    // allocate, die, die_usage
+#include "step1_shadowmap/base/memory.h" // memory_check
 
 static void GLAD_API_PTR stop_on_error(GLenum source, GLenum type, GLuint id,
                                        GLenum severity, GLsizei length,
@@ -37,11 +38,22 @@ bool gl_has_compute(void)
     return GLAD_GL_VERSION_4_3;
 }
 
+// A texture that does not fit is refused before the driver tries: it may give
+// addresses without memory behind them, and the process is killed later.
+static void check_memory(GLenum format, int width, int height, int layers)
+{
+    size_t texels = (size_t)width * (size_t)height * (size_t)layers;
+    memory_check(texels * gl_texel_bytes(format),
+                 "a texture of %dx%d texels and %d layer%s", width, height,
+                 layers, layers == 1 ? "" : "s");
+}
+
 GLuint gl_texture_array(GLenum format, int width, int height, int layers,
                         GLenum filter)
 {
     static const float far_depth[4] = {1, 1, 1, 1};
     GLuint texture;
+    check_memory(format, width, height, layers);
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, (GLint)format, width, height, layers,
@@ -75,6 +87,7 @@ size_t gl_texel_bytes(GLenum format)
 GLuint gl_texture(GLenum format, int width, int height)
 {
     GLuint texture;
+    check_memory(format, width, height, 1);
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, GL_RED,
@@ -114,6 +127,7 @@ GLuint gl_level_framebuffer(GLuint texture, int level, int layer)
 GLuint gl_depth_buffer(int width, int height)
 {
     GLuint buffer;
+    check_memory(GL_DEPTH_COMPONENT32F, width, height, 1);
     glGenRenderbuffers(1, &buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width,

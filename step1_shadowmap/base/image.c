@@ -7,6 +7,7 @@
 #include "step1_shadowmap/base/die.h"          // die
 #include "step1_shadowmap/base/file.h"         // file_write
 #include "step1_shadowmap/base/image_encode.h" // ImageBytes
+#include "step1_shadowmap/base/memory.h"       // memory_check
 
 bool image_name_is_known(const char *path)
 {
@@ -37,6 +38,8 @@ static ImageEncode *load_encoder(void)
 void image_write(const char *path, const float *pixels, int width, int height,
                  int channels)
 {
+    size_t values = (size_t)width * (size_t)height * (size_t)channels;
+    memory_check(values * (sizeof *pixels + 1), "the encoding of %s", path);
     ImageBytes file = load_encoder()(path, pixels, width, height, channels);
     if (file.bytes == NULL) {
         die("cannot write %s: %s", path, file.reason);

@@ -192,7 +192,7 @@ my $eight = 'ulimit -v 8000000';
 SKIP: {
     my $run = with_limit( $eight, program(1), @small, qw(--output a.png) );
     unlink 'a.png';
-    skip 'this build reserves more address space than a limit allows', 5
+    skip 'this build reserves more address space than a limit allows', 11
       if $run->{status} || $run->{signal};
     for my $words ( [qw(--size 30000x30000)], [qw(--map-size 30000)] ) {
         stops {
@@ -205,6 +205,26 @@ SKIP: {
         with_limit( $eight, program(1), qw(--size 16384x16384 --output a.png) )
     }
     1, [qr/\S/], 'no memory for --size 16384x16384';
+
+    # What is larger than all that is left is refused before anything else of
+    # it is made: the line says how much it is, and how much there is.
+    my $two = 'ulimit -v 2000000';
+    for my $large (
+        [ 4096, qr/16384x16384 texels/, 1, qw(--size 16384x16384) ],
+        [ 2048, qr/16384x16384 texels/, 3, @small, qw(--map-size 16384) ],
+        [
+            3072, qr/4 samples of 8192x8192/,
+            3,    @small, qw(--map-size 8192 --msaa), 4
+        ],
+      )
+    {
+        my ( $size, $what, $step, @words ) = @$large;
+        stops {
+            with_limit( $two, program($step), @words, qw(--output a.png) )
+        }
+        1, [ $what, qr/: $size MiB asked for, 1?\d{1,3} MiB are left$/ ],
+          "@words: the size asked for, and what there is";
+    }
 
     # Memory runs out at one place or another: whichever it is, no crash. It
     # starts from the least address space, in MB, that a small picture needs;
