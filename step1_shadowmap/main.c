@@ -73,12 +73,12 @@ static void draw_frame(void)
     stopwatch_start(&state.stopwatch);
     if (map_plan_begin(&state.plan)) {
         shadow_map_draw(&state.map, &state.geometry, &state.plan);
-        stopwatch_lap(&state.stopwatch, "depth");
+        stopwatch_lap(&state.stopwatch, "depth", state.map.touched);
     }
     bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.map.texture);
-    stopwatch_lap(&state.stopwatch, "shading");
+    stopwatch_lap(&state.stopwatch, "shading", state.picture.touched);
 }
 
 static void write_files(void)

@@ -98,6 +98,24 @@ bool map_plan_begin(MapPlan *plan)
     return plan->lookups;
 }
 
+size_t map_plan_texels(const MapPlan *plan)
+{
+    Rect rects[VIEW_MAX_LAYERS];
+    for (int i = 0; i < plan->layer_count; i++) {
+        rects[i] = plan->layers[i].rect;
+    }
+    return map_plan_texels_of(plan, rects);
+}
+
+size_t map_plan_texels_of(const MapPlan *plan, const Rect rects[])
+{
+    size_t texels = 0;
+    for (int i = 0; i < plan->layer_count; i++) {
+        texels += plan->layers[i].draw ? rect_texels(&rects[i]) : 0;
+    }
+    return texels;
+}
+
 void map_plan_forget(MapPlan *plan)
 {
     for (int i = 0; i < plan->layer_count; i++) {

@@ -43,6 +43,11 @@ void map_plan_decide_within(MapPlan *plan, Facts *facts, int reach,
 // they were, which they are from here on. False where nothing is looked up.
 bool map_plan_begin(MapPlan *plan);
 
+// How many texels are drawn in this frame; and how many a later pass writes,
+// which has a rectangle of its own in each of these layers.
+size_t map_plan_texels(const MapPlan *plan);
+size_t map_plan_texels_of(const MapPlan *plan, const Rect rects[]);
+
 // Every layer is drawn again, for the shaders have changed.
 void map_plan_forget(MapPlan *plan);
 

@@ -95,9 +95,12 @@ void shadow_map_draw_layer(const ShadowMap *map, int layer,
     glDisable(GL_DEPTH_CLAMP);
 }
 
-void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
+void shadow_map_draw(ShadowMap *map, const Geometry *geometry,
                      const MapPlan *plan)
 {
+    map->touched = (Touched){0, 0};
+    touch(&map->touched, map_plan_texels(plan),
+          gl_texel_bytes(map->format) + gl_texel_bytes(GL_DEPTH_COMPONENT32F));
     for (int layer = 0; layer < map->layers; layer++) {
         if (plan->layers[layer].draw) {
             glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);
@@ -106,7 +109,7 @@ void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
     }
 }
 
-void shadow_map_dump(const ShadowMap *map, const Geometry *geometry,
+void shadow_map_dump(ShadowMap *map, const Geometry *geometry,
                      const MapPlan *plan, const char *directory)
 {
     MapPlan whole = map_plan_whole(plan);

@@ -2,11 +2,12 @@
 #ifndef STEP1_SHADOW_MAP_H
 #define STEP1_SHADOW_MAP_H
 
-#include "step1_shadowmap/base/geometry.h" // Geometry
-#include "step1_shadowmap/base/gl.h"       // ShaderFiles
-#include "step1_shadowmap/base/options.h"  // Option
-#include "step1_shadowmap/base/view.h"     // Views
-#include "step1_shadowmap/map_plan.h"      // MapPlan
+#include "step1_shadowmap/base/geometry.h"  // Geometry
+#include "step1_shadowmap/base/gl.h"        // ShaderFiles
+#include "step1_shadowmap/base/options.h"   // Option
+#include "step1_shadowmap/base/stopwatch.h" // Touched
+#include "step1_shadowmap/base/view.h"      // Views
+#include "step1_shadowmap/map_plan.h"       // MapPlan
 
 // Against self-shadowing, for every step that compares depths.
 typedef struct BiasSettings {
@@ -28,9 +29,10 @@ typedef struct ShadowMap {
     GLuint framebuffers[VIEW_MAX_LAYERS];
     GLenum format; // of the texture
     int width, height, layers;
-    int channels; // of the texture
-    float far[4]; // a texel that nothing covers
-    size_t bytes; // of the texture and the depth buffer
+    int channels;    // of the texture
+    float far[4];    // a texel that nothing covers
+    size_t bytes;    // of the texture and the depth buffer
+    Touched touched; // by the last shadow_map_draw
 } ShadowMap;
 
 // The program that fills a map. Its fragment shader is light_depth.glsl and
@@ -47,7 +49,7 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
 
 // Draws what the plan says of each layer; what nothing covers of its texels is
 // at far depth, 1.
-void shadow_map_draw(const ShadowMap *map, const Geometry *geometry,
+void shadow_map_draw(ShadowMap *map, const Geometry *geometry,
                      const MapPlan *plan);
 
 // The same of one layer, drawn now or not, into whatever framebuffer is bound.
@@ -56,7 +58,7 @@ void shadow_map_draw_layer(const ShadowMap *map, int layer,
 
 // Draws every layer whole, for the picture may have needed less, and writes
 // layer L as directory/depth.L.exr.
-void shadow_map_dump(const ShadowMap *map, const Geometry *geometry,
+void shadow_map_dump(ShadowMap *map, const Geometry *geometry,
                      const MapPlan *plan, const char *directory);
 
 // Compiles the shaders again (see gl_program_reload); what they drew is drawn

@@ -78,12 +78,12 @@ static void draw_frame(void)
     stopwatch_start(&state.stopwatch);
     if (map_plan_begin(&state.plan)) {
         moments_draw(&state.map, &state.geometry, &state.plan);
-        stopwatch_lap(&state.stopwatch, "moments");
+        stopwatch_lap(&state.stopwatch, "moments", state.map.touched);
     }
     bias_apply(&state.bias, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.map.texels.texture);
-    stopwatch_lap(&state.stopwatch, "shading");
+    stopwatch_lap(&state.stopwatch, "shading", state.picture.touched);
 }
 
 static void write_files(void)

@@ -246,17 +246,19 @@ MomentsMap moments_create(ShaderFiles files, const Views *views,
     return map;
 }
 
-void moments_draw(const MomentsMap *map, const Geometry *geometry,
+void moments_draw(MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan)
 {
     if (map->samples.samples > 0) {
-        multisample_draw(&map->samples, &map->texels, geometry, plan);
+        map->touched =
+            multisample_draw(&map->samples, &map->texels, geometry, plan);
     } else {
         shadow_map_draw(&map->texels, geometry, plan);
+        map->touched = map->texels.touched;
     }
 }
 
-void moments_dump(const MomentsMap *map, const Geometry *geometry,
+void moments_dump(MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan, const char *directory)
 {
     const ShadowMap *texels = &map->texels;

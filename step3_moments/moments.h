@@ -59,6 +59,7 @@ typedef struct MomentsMap {
     ShadowMap texels;    // what the next stage reads
     Multisample samples; // with --msaa: what the texels are averages of
     size_t bytes;        // of both
+    Touched touched;     // by the last moments_draw
 } MomentsMap;
 
 // Keeps the pointer to the settings.
@@ -66,13 +67,13 @@ MomentsMap moments_create(ShaderFiles files, const Views *views,
                           const MomentsSettings *settings);
 
 // Draws what the plan says of each layer; see shadow_map_draw.
-void moments_draw(const MomentsMap *map, const Geometry *geometry,
+void moments_draw(MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan);
 
 // Draws every layer whole, for the picture may have needed less, and writes
 // layer L as directory/moments.L.exr, and with --msaa what multisample_dump
 // writes, for which the scene is drawn again.
-void moments_dump(const MomentsMap *map, const Geometry *geometry,
+void moments_dump(MomentsMap *map, const Geometry *geometry,
                   const MapPlan *plan, const char *directory);
 
 // Compiles the shaders again, see shadow_map_reload.

@@ -91,8 +91,20 @@ static void draw_texels(const Multisample *multisample, const Program *program,
     gl_draw_fullscreen(multisample->empty_vao);
 }
 
-void multisample_draw(const Multisample *multisample, const ShadowMap *map,
-                      const Geometry *geometry, const MapPlan *plan)
+// The samples are drawn with a depth each; then the texels, from all samples.
+static Touched touched_by(const Multisample *multisample, size_t texels)
+{
+    size_t samples = (size_t)multisample->samples;
+    size_t bytes = gl_texel_bytes(multisample->format);
+    Touched touched = {0, 0};
+    touch(&touched, samples * texels,
+          bytes + gl_texel_bytes(GL_DEPTH_COMPONENT32F));
+    touch(&touched, texels, bytes + samples * bytes);
+    return touched;
+}
+
+Touched multisample_draw(const Multisample *multisample, const ShadowMap *map,
+                         const Geometry *geometry, const MapPlan *plan)
 {
     const Program *resolve = &multisample->resolve;
     for (int layer = 0; layer < map->layers; layer++) {
@@ -108,6 +120,7 @@ void multisample_draw(const Multisample *multisample, const ShadowMap *map,
         draw_texels(multisample, resolve, map->framebuffers[layer]);
         gl_unlimit();
     }
+    return touched_by(multisample, map_plan_texels(plan));
 }
 
 static void dump_positions(const Multisample *multisample,

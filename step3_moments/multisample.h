@@ -23,8 +23,8 @@ Multisample multisample_create(Program resolve, int samples, GLenum format,
                                int width, int height);
 
 // As shadow_map_draw, with the map's program.
-void multisample_draw(const Multisample *multisample, const ShadowMap *map,
-                      const Geometry *geometry, const MapPlan *plan);
+Touched multisample_draw(const Multisample *multisample, const ShadowMap *map,
+                         const Geometry *geometry, const MapPlan *plan);
 
 // Draws every layer once more and writes sample S of layer L as
 // directory/samples.L.S.exr, and as sample_positions.exr, of one row, where

@@ -231,6 +231,7 @@ void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan)
                            &plan->map);
     }
     blur->result = result;
+    blur->touched = blur_plan_touched(plan, blur, moments->texels.format);
 }
 
 bool blur_reload(Blur *blur)

@@ -90,6 +90,7 @@ typedef struct Blur {
     bool hardware;             // the texture unit looks the levels up
     int width, height, layers; // of the result
     size_t bytes;              // of the textures that the filter needs
+    Touched touched;           // by the last blur_apply
     GLuint result;             // the texture that the picture looks up
 } Blur;
 
@@ -115,6 +116,10 @@ void blur_plan_decide(BlurPlan *plan, Facts *facts,
 
 // Every texel of every layer, for the files of --dump.
 BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur);
+
+// What the filter touches in this frame, of texels of this format.
+Touched blur_plan_touched(const BlurPlan *plan, const Blur *blur,
+                          GLenum format);
 
 // Filters the layers that are drawn in this frame. Where there is nothing to do
 // the result is the moments themselves.

@@ -189,6 +189,32 @@ void blur_plan_decide(BlurPlan *plan, Facts *facts,
     add_lookup_rows(plan, settings, facts, &size, gl_texel_bytes(format));
 }
 
+// Every texel that is written is made of as many: one, the downsampled group's,
+// or the four of the level before.
+Touched blur_plan_touched(const BlurPlan *plan, const Blur *blur, GLenum format)
+{
+    const MapPlan *map = &plan->map;
+    size_t bytes = gl_texel_bytes(format);
+    size_t group = (size_t)blur->factor * (size_t)blur->factor;
+    Touched touched = {0, 0};
+    if (blur->downsample_program.id != 0) {
+        touch(&touched, map_plan_texels_of(map, plan->small),
+              (1 + group) * bytes);
+    }
+    for (int i = 0; i < 2 * blur->filter_count; i++) {
+        touch(&touched, map_plan_texels_of(map, plan->passes[i]), 2 * bytes);
+    }
+    for (int level = 1; level < blur->mips.levels; level++) {
+        touch(&touched, map_plan_texels_of(map, plan->levels[level]),
+              5 * bytes);
+    }
+    if (blur->sat.layers > 0) {
+        sat_touch(&blur->sat, map_plan_texels_of(map, plan->levels[0]), bytes,
+                  &touched);
+    }
+    return touched;
+}
+
 BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur)
 {
     BlurPlan whole = {.map = map_plan_whole(&plan->map)};

@@ -39,10 +39,12 @@ static Program create_program(ShaderFiles files, const char *const fragment[])
     return gl_program(files, vertex, fragment);
 }
 
+enum { TEXEL_BYTES = 2 * sizeof(GLuint) };
+
 static void add_table(Sat *sat, int i)
 {
     size_t bytes = (size_t)sat->width * (size_t)sat->height *
-                   (size_t)sat->layers * 2 * sizeof(GLuint);
+                   (size_t)sat->layers * TEXEL_BYTES;
     memory_check(bytes, "a table of %dx%d texels", sat->width, sat->height);
     sat->textures[i] = create_table(sat);
     sat->bytes += bytes;
@@ -134,6 +136,27 @@ static int sum_axis(const Sat *sat, int newer, int axis, const Part *part)
         newer = 1 - newer;
     }
     return newer;
+}
+
+// How often sums are doubled twice along an axis.
+static size_t count_doublings(int side)
+{
+    size_t count = 0;
+    for (int stride = 1; stride < side; stride *= 4) {
+        count++;
+    }
+    return count;
+}
+
+void sat_touch(const Sat *sat, size_t texels, size_t map_texel_bytes,
+               Touched *touched)
+{
+    bool compute = sat->compute.rows.id != 0;
+    size_t passes =
+        compute ? 1
+                : count_doublings(sat->width) + count_doublings(sat->height);
+    touch(touched, texels, map_texel_bytes + TEXEL_BYTES);
+    touch(touched, passes * texels, 2 * TEXEL_BYTES);
 }
 
 GLuint sat_apply(const Sat *sat, GLuint map, GLuint empty_vao,

@@ -3,9 +3,10 @@
 #ifndef STEP4_SAT_H
 #define STEP4_SAT_H
 
-#include "step1_shadowmap/base/gl.h"  // Program
-#include "step1_shadowmap/map_plan.h" // MapPlan
-#include "step4_blur/sat_compute.h"   // SatCompute
+#include "step1_shadowmap/base/gl.h"        // Program
+#include "step1_shadowmap/base/stopwatch.h" // Touched
+#include "step1_shadowmap/map_plan.h"       // MapPlan
+#include "step4_blur/sat_compute.h"         // SatCompute
 
 // A table, and the one that the next pass writes.
 typedef struct Sat {
@@ -30,6 +31,11 @@ Sat sat_create(ShaderFiles files, const int size[2], int layers, int radius,
 
 // Whether compute shaders sum, of what --sat-by says.
 bool sat_uses_compute(const char *by);
+
+// Adds what sat_apply touches for so many texels: all of the map's, then of the
+// tables that are summed along the other axis, or over and over.
+void sat_touch(const Sat *sat, size_t texels, size_t map_texel_bytes,
+               Touched *touched);
 
 // Sums the layers of the map (moments in red and green) that the plan draws and
 // returns the table, which has sums of these texels alone: what is left of them

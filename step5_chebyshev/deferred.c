@@ -51,7 +51,7 @@ static void create_framebuffer(Deferred *deferred, const SceneDraw *picture)
 }
 
 Deferred deferred_create(bool asked_for, const BaseSettings *base,
-                         const SceneDraw *picture)
+                         SceneDraw *picture)
 {
     if (!asked_for) {
         return (Deferred){.count = 0};
@@ -60,6 +60,11 @@ Deferred deferred_create(bool asked_for, const BaseSettings *base,
     deferred.program =
         create_program(base_shader_files(base), picture->footprint);
     create_framebuffer(&deferred, picture);
+    for (int i = 0; i < deferred.count; i++) { // written, then read
+        touch(&picture->touched,
+              (size_t)picture->width * (size_t)picture->height,
+              2 * gl_texel_bytes(GL_RGBA32F));
+    }
     glGenVertexArrays(1, &deferred.empty_vao);
     return deferred;
 }

@@ -23,10 +23,10 @@ typedef struct Deferred {
     GLuint empty_vao;
 } Deferred;
 
-// For a picture made with deferred_source(); shares its depth buffer.
-// Where it was not asked for, all zero.
+// For a picture made with deferred_source(); shares its depth buffer, and adds
+// to what it touches. Where it was not asked for, all zero.
 Deferred deferred_create(bool asked_for, const BaseSettings *base,
-                         const SceneDraw *picture);
+                         SceneDraw *picture);
 
 // As scene_draw; in two passes where it is deferred. The same picture to the
 // last bit where the driver computes both alike.

@@ -75,16 +75,16 @@ static void draw_frame(void)
     stopwatch_start(&state.stopwatch);
     if (map_plan_begin(&state.plan.map)) {
         moments_draw(&state.map, &state.geometry, &state.plan.map);
-        stopwatch_lap(&state.stopwatch, "moments");
+        stopwatch_lap(&state.stopwatch, "moments", state.map.touched);
         blur_apply(&state.filter, &state.map, &state.plan);
-        stopwatch_lap(&state.stopwatch, "blur");
+        stopwatch_lap(&state.stopwatch, "blur", state.filter.touched);
     }
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
     shading_apply(&state.shading, &state.filter, &state.views,
                   state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
                   &state.geometry, &state.views, state.filter.result);
-    stopwatch_lap(&state.stopwatch, "shading");
+    stopwatch_lap(&state.stopwatch, "shading", state.picture.touched);
 }
 
 static void write_files(void)

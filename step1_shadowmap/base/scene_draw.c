@@ -107,6 +107,7 @@ static Program create_program(const SceneSource *source,
 
 static void create_framebuffer(SceneDraw *draw)
 {
+    size_t bytes = gl_texel_bytes(GL_DEPTH_COMPONENT32F);
     glGenFramebuffers(1, &draw->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, draw->framebuffer);
     for (int i = 0; i < SCENE_DRAW_OUTPUTS; i++) {
@@ -115,6 +116,7 @@ static void create_framebuffer(SceneDraw *draw)
         }
         draw->outputs[i] =
             gl_texture(outputs[i].format, draw->width, draw->height);
+        bytes += gl_texel_bytes(outputs[i].format);
         glFramebufferTexture2D(GL_FRAMEBUFFER, draw->buffers[i], GL_TEXTURE_2D,
                                draw->outputs[i], 0);
     }
@@ -122,6 +124,7 @@ static void create_framebuffer(SceneDraw *draw)
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
                               GL_RENDERBUFFER, draw->depth_buffer);
     gl_check_framebuffer("of the picture");
+    touch(&draw->touched, (size_t)draw->width * (size_t)draw->height, bytes);
 }
 
 SceneDraw scene_draw_create(const BaseSettings *settings, const Facts *facts,

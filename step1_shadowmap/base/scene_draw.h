@@ -3,10 +3,11 @@
 #ifndef BASE_SCENE_DRAW_H
 #define BASE_SCENE_DRAW_H
 
-#include "step1_shadowmap/base/facts.h"    // Facts
-#include "step1_shadowmap/base/geometry.h" // Geometry
-#include "step1_shadowmap/base/settings.h" // BaseSettings
-#include "step1_shadowmap/base/view.h"     // Views
+#include "step1_shadowmap/base/facts.h"     // Facts
+#include "step1_shadowmap/base/geometry.h"  // Geometry
+#include "step1_shadowmap/base/settings.h"  // BaseSettings
+#include "step1_shadowmap/base/stopwatch.h" // Touched
+#include "step1_shadowmap/base/view.h"      // Views
 
 enum { SCENE_DRAW_OUTPUTS = 7 };
 
@@ -36,6 +37,7 @@ typedef struct SceneDraw {
     bool shaded; // --show shaded: the scene has a background
     Legend legend;
     int width, height; // pixels
+    Touched touched;   // by each frame
 } SceneDraw;
 
 // `visibility` lists the fragment shader files (NULL at the end) that define

@@ -91,7 +91,8 @@ const Option base_options[] = {
      .minimum = 0,
      .maximum = STOPWATCH_MAX_FRAMES - STOPWATCH_WARM_UP,
      .argument = "N",
-     .help = "time N frames after a warm-up; prints a line per pass, as CSV"},
+     .help = "time N frames after a warm-up; prints each pass's times, and the "
+             "texels and bytes that it touches, as CSV"},
     {.name = "plan",
      .kind = OPTION_FLAG,
      .offset = offsetof(BaseSettings, plan),

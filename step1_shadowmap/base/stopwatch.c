@@ -17,6 +17,12 @@ static double now(void)
     return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
 }
 
+void touch(Touched *touched, size_t texels, size_t bytes_for_each)
+{
+    touched->texels += texels;
+    touched->bytes += texels * bytes_for_each;
+}
+
 void stopwatch_start(Stopwatch *stopwatch)
 {
     glFinish();
@@ -27,7 +33,7 @@ void stopwatch_start(Stopwatch *stopwatch)
     stopwatch->started = now();
 }
 
-void stopwatch_lap(Stopwatch *stopwatch, const char *name)
+void stopwatch_lap(Stopwatch *stopwatch, const char *name, Touched touched)
 {
     glFinish();
     int pass = stopwatch->pass++;
@@ -36,6 +42,7 @@ void stopwatch_lap(Stopwatch *stopwatch, const char *name)
     }
     double time = now();
     stopwatch->name[pass] = name;
+    stopwatch->touched[pass] = touched;
     stopwatch->milliseconds[pass][stopwatch->frames - 1] =
         time - stopwatch->started;
     stopwatch->passes = stopwatch->pass;
@@ -72,15 +79,17 @@ static double quantile(const double *sorted, int count, double part)
     return sorted[index] + (place - index) * (sorted[next] - sorted[index]);
 }
 
-static void print_line(const char *name, const double *samples, int count)
+static void print_line(const char *name, const double *samples, int count,
+                       const Touched *touched)
 {
     size_t bytes = (size_t)count * sizeof *samples;
     double *sorted = allocate(1, bytes);
     memcpy(sorted, samples, bytes);
     qsort(sorted, (size_t)count, sizeof *sorted, compare);
-    printf("%s,%.4f,%.4f,%.4f,%d,glFinish+CLOCK_MONOTONIC,", name,
+    printf("%s,%.4f,%.4f,%.4f,%d,glFinish+CLOCK_MONOTONIC,%zu,%zu,", name,
            quantile(sorted, count, 0.5), quantile(sorted, count, 0.25),
-           quantile(sorted, count, 0.75), count);
+           quantile(sorted, count, 0.75), count, touched->texels,
+           touched->bytes);
     for (int i = 0; i < count; i++) {
         printf("%s%.4f", i ? " " : "", samples[i]);
     }
@@ -95,15 +104,20 @@ void stopwatch_print(const Stopwatch *stopwatch, int bench)
     }
     int count = stopwatch->frames - STOPWATCH_WARM_UP;
     double *total = allocate((size_t)count, sizeof *total);
-    puts("pass,median_ms,quartile1_ms,quartile3_ms,frames,clock,samples_ms");
+    Touched touched = {0, 0};
+    puts("pass,median_ms,quartile1_ms,quartile3_ms,frames,clock,texels,bytes,"
+         "samples_ms");
     for (int pass = 0; pass < stopwatch->passes; pass++) {
         const double *samples =
             stopwatch->milliseconds[pass] + STOPWATCH_WARM_UP;
         for (int i = 0; i < count; i++) {
             total[i] += samples[i];
         }
-        print_line(stopwatch->name[pass], samples, count);
+        touched.texels += stopwatch->touched[pass].texels;
+        touched.bytes += stopwatch->touched[pass].bytes;
+        print_line(stopwatch->name[pass], samples, count,
+                   &stopwatch->touched[pass]);
     }
-    print_line("total", total, count);
+    print_line("total", total, count, &touched);
     free(total);
 }
