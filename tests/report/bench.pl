@@ -21,12 +21,14 @@ use Bench   qw(@SWEEPS @CLAIMS @GROWTHS points);
 use Growth  qw(exponent);
 use Judge   qw(ratio);
 use Measure qw(processors quantile summarise times_of);
+use Startup qw(startup);
 
 use constant {
     ROUNDS  => 3,
-    FRAMES  => 5,     # of a run; of one that took long one
-    LONG    => 6,     # seconds
+    FRAMES  => 5,      # of a run; of one that took long one
+    LONG    => 6,      # seconds
     TIMEOUT => 300,
+    START   => 0.6,    # seconds until there is a picture
 };
 
 my $folder  = $ENV{BENCH_OUT}     // root() . '/out/bench';
@@ -166,6 +168,18 @@ sub ratio_claims {
     return @claims;
 }
 
+# From the start to a picture on disk: a claim, after it is printed.
+sub startup_claim {
+    my ( $whole, @parts ) = startup( $seconds > 0 ? 9 : 1 );
+    print "\nstep 5's default picture, seconds from the start to the file\n";
+    printf "%-38s%6.3f\n", @$_ for @parts;
+    return [
+        $whole <= START,
+        sprintf 'from the start to the file: %.3f seconds, at most %s',
+        $whole, START
+    ];
+}
+
 sub write_results {
     my @points = @_;
     my $text   = "sweep,run,value,pass,median_ms,q1_ms,q3_ms,frames,clock\n";
@@ -194,7 +208,8 @@ sub main {
     printf "%s x %d, t ~ x^p by least squares of logarithms; last: p between "
       . "the last two\n", $processors[0], scalar @processors;
     print_sweep( $_, @points ) for @SWEEPS;
-    my @claims = ( growth_claims(@points), ratio_claims(@points) );
+    my @claims =
+      ( startup_claim(), growth_claims(@points), ratio_claims(@points) );
     print "\n", map { ( $_->[0] ? 'holds ' : 'FAILS ', "$_->[1]\n" ) } @claims;
     my @missing = grep { $_->{missing} } @points;
     print "MISSING $_->{sweep} $_->{run} $_->{value}: $_->{missing}\n"
