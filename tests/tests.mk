@@ -109,7 +109,7 @@ fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stabili
 	    -e "output='out/stability/fuzz.$$kind'" \
 	    tests/stability/fuzz.gp || exit 1; done
 
-figures: set-up-tests programs $(BUILD)/oracle ## make every committed picture again
+figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## make every committed picture again
 	@for p in $(PROGRAMS); do \
 	    sh tests/report/figures.sh $(BUILD) $$p || exit 1; done
 	@sh tests/report/headline.sh $(BUILD)

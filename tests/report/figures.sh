@@ -53,6 +53,10 @@ step2_pcf)
     join "$program/technique_adaptive.png" narrow adaptive
     ;;
 step3_moments)
+    "$build/fuzz" --count 20000 --csv >"$dump/fuzz.csv"
+    gnuplot -e "kind='png'; input='$dump/fuzz.csv'" \
+        -e "output='$program/technique_central.png'" tests/stability/fuzz.gp
+    echo "$program/technique_central.png"
     drawn=step5_chebyshev
     bare='--map-size 256 --radius 0 --min-variance 0 --bleed-reduction 0'
     # shellcheck disable=SC2086 # a list of words
