@@ -31,14 +31,15 @@ sub everywhere {
     return;
 }
 
-# How much darker than 1 the bound can be on a lit plane: the depths under the
-# filter are t and what is as far to both sides of it, so M1 is t but for
-# rounding, with u = 2^-24: 8 u of the lookup, 5 u of its position (4 u of 256
-# texels, each 1/220 of the range at most) and 16 u of t, which is made of
-# numbers that add up to 3 at most: less than 64 u. The variance is 4 u M2 or
-# more, and no floor that is seen lies in the first quarter of the range, so
-# 1 - p <= (64 u)^2 / (4 u / 16) = 16384 u.
-my $dark = 16384 * 2**-24;
+# How much darker than 1 the bound can be on a lit plane. Under the filter are t
+# and what is as far to both sides of it, so M1 is t but for rounding, 64 units
+# of 2^-24 at most, and squared that is nothing next to the variance. But depths
+# end at 1. In scene grazing they grow by 0.1205 from a row of texels to the
+# next, and no floor is seen beyond t = 0.6501. A part a between two rows, the
+# last row under the filter, of weight a / 7, is 4 - a rows away, and cut off by
+# 0.6501 + (4 - a) 0.1205 - 1. So M1 is up to 0.0052 too small (a = 0.55), while
+# the variance of seven rows is 4 * 0.1205^2, less 0.001 for what is cut off.
+my $dark = 0.0052**2 / 0.057;
 
 for my $step ( 5, 1, 2, 3, 4 ) {
     my $most = $step == 5 ? $dark : 0;
