@@ -310,6 +310,10 @@ my %mutants = (
         'central', 'step5_chebyshev/shaders/guard_central.glsl',
         '64.0 / 16777216.0', '6.4 / 16777216.0'
     ],
+    'ten times the noise' => [
+        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        '64.0 / 16777216.0', '640.0 / 16777216.0'
+    ],
     'a tenth of what raw moments lose' => [
         'central', 'step5_chebyshev/shaders/guard_raw.glsl',
         'guard_variance.x) * moments', '0.1 * guard_variance.x) * moments'
