@@ -50,10 +50,11 @@ $(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED) $(ORACLE_BOUNDS)
 	@$(CXX) $(LDFLAGS) -o $@ $^ $(LIBRARIES) $(EMBREE)
 -include $(ORACLE_OBJECTS:.o=.d)
 
-# The programs once more, as ones that stay.
+# The programs once more, as ones that stay; made after the programs, for what is
+# older than they are is not used.
 define warm_rule
 $(BUILD)/warm/$1: $(BUILD)/obj/tests/warm.c.o $(call objects,$1) \
-    $(BUILD)/glad/gl.o | $(BUILD)/warm/image.so
+    $(BUILD)/glad/gl.o | $(BUILD)/$1 $(BUILD)/warm/image.so
 	@echo link $$@
 	@$$(CC) $$(LDFLAGS) -Wl,--wrap=main -o $$@ $$^ $$(LIBRARIES)
 endef
