@@ -162,10 +162,13 @@ static void check_compute(const BlurSettings *settings,
                           const MomentsSettings *moments,
                           const OptionTable tables[])
 {
-    if (settings->sat && options_given(tables, "blur-by")) {
-        die_usage("--blur-by %s says what blurs, and --sat averages in place "
-                  "of a blur: drop one of them",
-                  settings->by);
+    const char *idle = settings->sat ? "--sat averages in place of a blur"
+                       : blur_used_radius(settings) == 0
+                           ? "--blur none or --radius 0 leaves nothing to blur"
+                           : NULL;
+    if (idle != NULL && options_given(tables, "blur-by")) {
+        die_usage("--blur-by %s says what blurs, and %s: drop one of them",
+                  settings->by, idle);
     }
     if (strcmp(settings->by, "compute") == 0 &&
         !blur_can_run(settings, moments)) {

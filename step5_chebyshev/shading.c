@@ -83,6 +83,12 @@ static void check_soft(const BlurSettings *blur, const int map_size[2],
                   "%s",
                   blur->sampler);
     }
+    if (options_given(tables, "blur-by") && !options_given(tables, "blur") &&
+        !options_given(tables, "radius")) {
+        die_usage("--soft blurs no map unless it is told to: add --blur box, "
+                  "or drop --soft or --blur-by %s",
+                  blur->by);
+    }
     if (options_given(tables, "anisotropy")) {
         die_usage("--soft averages a disc, not the pixel's footprint: drop "
                   "--soft or --anisotropy %d",

@@ -609,6 +609,10 @@ my %mutants = (
         'shadows',       'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0 && spread', 'spread'
     ],
+    'what is no number, with one option only' => [
+        'robustness/pairs', 'step5_chebyshev/shaders/reduction_smooth.glsl',
+        'smoothstep(', 'sqrt(-1.0) * smoothstep('
+    ],
     'facing away is not dark' => [
         'scenes',          'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0 &&', 'facing > -2.0 &&'
