@@ -646,6 +646,16 @@ my %mutants = (
         'plan',                   'step4_blur/blur_plan.c',
         'settings->downsample << level', 'settings->downsample << 2 * level'
     ],
+    'what is half in the picture is left out' => [
+        'plan',        'step1_shadowmap/base/volume.c',
+        'beyond == 8', 'beyond >= 4'
+    ],
+    'the camera and the picture\'s lower edge mixed up' => [
+        'plan',
+        'step1_shadowmap/base/volume.c',
+        'add_slab(&volume, clip[1], clip[3])',
+        'add_slab(&volume, clip[1], clip[0])'
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

@@ -345,6 +345,9 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                              : "no visible surface that may face the light is "
                                "in the map";
     }
+    plan_add(&facts->plan, "picture", -1, true, 0, 0,
+             "%d of %d objects may be in it", views->seen.count,
+             scene->object_count);
     plan_add(&facts->plan, "lookup", -1, facts->lookups, 0, 0, "%s", why);
 }
 

@@ -7,6 +7,7 @@
 #include "step1_shadowmap/base/dvec.h" // dvec_copy, dvec_frame, dvec_subtract
 #include "step1_shadowmap/base/light_view.h" // fit_directional, fit_point, ...
 #include "step1_shadowmap/base/region.h"     // region_include_scene
+#include "step1_shadowmap/base/volume.h"     // volume_misses
 
 // The near and far planes are fitted to what is in the picture: a depth buffer
 // has few digits left for surfaces that are far behind its near plane.
@@ -65,9 +66,36 @@ static void fit_light(Views *views, const Scene *scene, double aspect,
     }
 }
 
-static void list_objects(Views *views, const Scene *scene)
+// What is outside by nothing at all is half a pixel from the next pixel's
+// middle, and a rasteriser moves corners by far less.
+static bool misses_picture(const Views *views, const Object *object)
+{
+    Volume picture = volume_of_picture(views);
+    double corners[8][3];
+    volume_object_box(object, views->origin, corners);
+    return volume_misses(&picture, corners);
+}
+
+static void cull(Views *views, const Scene *scene)
+{
+    DrawList *list = &views->seen;
+    int kept = 0;
+    for (int i = 0; i < list->count; i++) {
+        int object = list->objects[i];
+        if (!misses_picture(views, &scene->objects[object])) {
+            list->objects[kept++] = object;
+        }
+    }
+    list->count = kept;
+}
+
+// Of a light's views the facts know more: see facts_list_casters.
+static void list_objects(Views *views, const Scene *scene, bool all)
 {
     draw_list_ground_last(&views->seen, scene);
+    if (!all) {
+        cull(views, scene);
+    }
     for (int layer = 0; layer < views->layers; layer++) {
         draw_list_all(&views->light[layer].seen, scene);
     }
@@ -85,7 +113,7 @@ void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
     int side = least(views->width, views->height);
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
     fit_light(views, scene, aspect, settings->splits);
-    list_objects(views, scene);
+    list_objects(views, scene, settings->keep_all);
 }
 
 void view_set_matrix(GLuint program, const char *name,

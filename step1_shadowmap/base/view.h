@@ -36,7 +36,7 @@ typedef struct LightView {
 typedef struct Views {
     double origin[3]; // the camera's position, world space
     double clip_from_relative[4][4];
-    DrawList seen; // what is drawn into the picture
+    DrawList seen; // what may be in the picture, and is drawn into it
     // Relative to the origin, and 1; of a parallel light the unit vector
     // towards it, and 0.
     double light_position[4];

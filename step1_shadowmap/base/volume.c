@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/volume.h"
 
-#include <math.h> // fmax, fmin, INFINITY
+#include <math.h> // fabs, fmax, fmin, INFINITY
 
 #include "step1_shadowmap/base/dvec.h"    // dvec_dot
 #include "step1_shadowmap/base/polygon.h" // polygon_clip
@@ -13,6 +13,9 @@
 // more than a pixel shows of a triangle beyond its edges, where a rasteriser
 // rounds them.
 #define WIDE_MARGIN 1e-2
+
+// What single precision errs at most, of the sum of the magnitudes.
+#define ROUNDING 1e-5
 
 // Adds the half-space where the sum of some rows, times (p, 1), is not
 // negative: a + factor b >= 0.
@@ -145,8 +148,14 @@ bool volume_misses(const Volume *volume, double corners[8][3])
     for (int i = 0; i < volume->count; i++) {
         int beyond = 0;
         for (int corner = 0; corner < 8; corner++) {
-            double along = dvec_dot(volume->normals[i], corners[corner]);
-            beyond += along > volume->limits[i];
+            double along = -volume->limits[i];
+            double size = fabs(volume->limits[i]);
+            for (int k = 0; k < 3; k++) {
+                double part = volume->normals[i][k] * corners[corner][k];
+                along += part;
+                size += fabs(part);
+            }
+            beyond += along > ROUNDING * size;
         }
         if (beyond == 8) {
             return true;

@@ -32,7 +32,8 @@ Volume volume_of_receivers(const Views *views, int layer);
 void volume_object_box(const Object *object, const double origin[3],
                        double corners[8][3]);
 
-// Whether a box is outside for certain: all of it beyond one of the planes.
+// Whether a box is outside for certain: all of it beyond one of the planes, by
+// more than single precision errs where it is drawn.
 bool volume_misses(const Volume *volume, double corners[8][3]);
 
 // Cuts a polygon (see polygon.h); returns how many corners are left.

@@ -36,6 +36,17 @@ for my $step ( 1 .. 5 ) {
       for $ENV{VSM_ALL} ? @scenes : ( $turned, @some );
 }
 same_pixels( 2, qw(--scene avenue:turn=40 --splits 4) );
+
+# Of what is behind the camera or beside the picture nothing is drawn.
+for ( [ '<', 97 ], [ '==', 97, '--keep-all' ] ) {
+    my ( $relation, $all, @options ) = @$_;
+    my $out = tempdir( CLEANUP => 1 ) . '/a.png';
+    my $run = run( 1, @small, qw(--scene avenue:turn=40 --plan --output),
+        $out, @options );
+    my ($drawn) = $run->{out} =~ /^picture +kept .* (\d+) of $all objects/m;
+    cmp_ok( $drawn // -1, $relation, $all,
+        "avenue:turn=40 @options: objects drawn, of $all" );
+}
 same_pixels( 5, qw(--scene offstage --light point) );
 
 # Every pass of the filter, and every lookup, in rectangles.
