@@ -101,9 +101,9 @@ sub faster {
     return overtaking(@pairs) . "; $numbers.";
 }
 
-# The link of a point's chain that changes the visibility most, among those
-# that are the technique's own.
+# The links of a point's chain between footprint truth and the program.
 my %BLAME = (
+    pcf       => 'the map\'s texels',
     chebyshev => 'light bleeding',
     floor     => 'the minimum variance',
     reduction => 'the light-bleeding reduction',
@@ -111,14 +111,16 @@ my %BLAME = (
     program   => 'its lookup and its rasteriser',
 );
 
+# Those that change the visibility most: the largest, and what is at least half
+# as large.
 sub blamed {
     my ($point) = @_;
-    my ( $worst, $most ) = ( '', 0 );
-    for my $link ( sort keys %BLAME ) {
-        my $rmse = $point->{"chain_${link}_rmse"} // 0;
-        ( $worst, $most ) = ( $link, $rmse ) if $rmse > $most;
-    }
-    return $most > 1e-3 ? $BLAME{$worst} : '';
+    my %rmse    = map  { $_ => $point->{"chain_${_}_rmse"} || 0 } keys %BLAME;
+    my @links   = sort { $rmse{$b} <=> $rmse{$a} || $a cmp $b } keys %rmse;
+    my $most    = $rmse{ $links[0] };
+    return '' if $most < 1e-3;
+    return enumerated( map { $BLAME{$_} }
+          grep { $rmse{$_} >= $most / 2 } @links );
 }
 
 # How wrong VSM is beside PCF, each against the exact average over its filter.
@@ -145,7 +147,24 @@ sub wronger {
     my $why = $ratio > 1 ? blamed( $pair->{vsm} ) : '';
     return
       "At width $pair->{width} VSM is $text ($numbers"
-      . ( $why ? "; mostly $why" : '' ) . ').';
+      . ( $why ? "; it comes from $why" : '' ) . ').';
+}
+
+# What the light-bleeding reduction does to it.
+sub reduced {
+    my %point = map { ( $_->{label} => $_ ) } @_;
+    my @changes;
+    for my $width ( 7, 31 ) {
+        my ( $without, $with ) =
+          map { $point{"$_ $width"}{footprint_rmse} } 'VSM', 'VSM reduced';
+        push @changes, sprintf 'from %.4f to %.4f at %d', $without, $with,
+          $width
+          if defined $without && defined $with;
+    }
+    return @changes
+      ? 'The light-bleeding reduction takes VSM\'s RMSE '
+      . enumerated(@changes) . '.'
+      : '';
 }
 
 # Where even its best is more than twice as wrong as PCF at every width from 7
@@ -191,7 +210,7 @@ sub verdict {
     my @pairs = pairs(@points);
     return ('PCF and VSM were not both measured here.') unless @pairs;
     return grep { $_ ne '' } faster(@pairs), wronger(@pairs),
-      soft(@points), advice( $scene, \@points, @pairs );
+      reduced(@points), soft(@points), advice( $scene, \@points, @pairs );
 }
 
 1;

@@ -126,8 +126,29 @@ is_deeply(
 
 like(
     $says->( @pcf, vsm( 25, 0.018, chain_chebyshev_rmse => 0.015 ) ),
-qr/At width 7 .* 1\.8 .* PCF \(RMSE 0\.0180 .* 0\.0100; mostly light bleeding/,
+qr/At width 7 .* 1\.8 .* PCF \(RMSE 0\.0180 .* 0\.0100; it comes from light bleeding\)/,
     'what the error is, and its largest source'
+);
+my @sources = (
+    chain_footprint_rmse => 9,
+    chain_pcf_rmse       => 0.02,
+    chain_chebyshev_rmse => 0.01,
+    chain_floor_rmse     => 0.0099
+);
+like(
+    $says->( @pcf, vsm( 25, 0.018, @sources ) ),
+    qr/it comes from the map's texels and light bleeding\)/,
+    'its sources; not the filter, which was asked for, and no small one'
+);
+like(
+    $says->(
+        @pcf,
+        vsm( 25, 0.018 ),
+        point( 'VSM reduced 7',  [1], 0.015 ),
+        point( 'VSM reduced 31', [1], 0.02 )
+    ),
+    qr/takes VSM's RMSE from 0.0180 to 0.0150 at 7 and from 0.0180 to 0.02/,
+    'what the reduction does'
 );
 like(
     $says->( @pcf, vsm( 25, 0.0101 ) ),
