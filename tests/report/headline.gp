@@ -15,20 +15,23 @@ set xlabel 'width of the filter, texels'
 set ylabel 'time of a frame, ms'
 set xrange [2.5:38]
 set xtics (3, 7, 15, 31)
-set ytics (10, 20, 50, 100, 200, 500, 1000, 2000)
+set ytics (5, 10, 20, 50, 100, 200, 500, 1000, 2000)
+set autoscale yfix
+set offsets 0, 0, graph 0.1, graph 0.1
 plot pcf using 1:2:3:4 with yerrorlines pt 7 lc rgb '#e07b00' title 'PCF', \
     vsm using 1:2:3:4 with yerrorlines pt 9 lc rgb '#2f7ed8' title 'VSM'
 unset key
 set xlabel 'time of a frame, ms'
 set ylabel 'RMSE of the visibility, footprint truth'
-set autoscale
-set offsets graph 0.15, graph 0.15, graph 0.15, graph 0.15
-set xtics (10, 20, 50, 100, 200, 500, 1000, 2000)
+set autoscale xfix
+set xrange [*:*]
+set offsets graph 0.1, graph 0.15, graph 0.1, graph 0.1
+set xtics (5, 10, 20, 50, 100, 200, 500, 1000, 2000)
 set ytics (0.01, 0.015, 0.02, 0.03, 0.05, 0.07)
 plot pcf using 2:5 with linespoints pt 7 lc rgb '#e07b00', \
-    pcf using 2:5:1 with labels offset 1, 0.7 tc rgb '#e07b00', \
+    pcf using 2:5:1 with labels left offset 0.7, 0.5 tc rgb '#e07b00', \
     vsm using 2:5 with linespoints pt 9 lc rgb '#2f7ed8', \
-    vsm using 2:5:1 with labels offset 1, 0.7 tc rgb '#2f7ed8', \
+    vsm using 2:5:1 with labels left offset 0.7, 0.5 tc rgb '#2f7ed8', \
     hard using 2:5 with points pt 5 lc rgb '#888888', \
-    hard using 2:5:("hard") with labels offset 2.5, 0.7 tc rgb '#888888'
+    hard using 2:5:("hard") with labels left offset 0.7, -0.5 tc rgb '#888888'
 unset multiplot
