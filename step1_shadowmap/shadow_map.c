@@ -59,10 +59,8 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
                      .channels = format == GL_R32F ? 1 : 2,
                      .far = {1, 1, 1, 1}};
     size_t texels = (size_t)map.width * (size_t)map.height;
-    size_t depth_bytes = gl_texel_bytes(GL_DEPTH_COMPONENT32F);
-    map.texel_bytes = gl_texel_bytes(format) + depth_bytes;
-    map.bytes =
-        texels * ((size_t)map.layers * gl_texel_bytes(format) + depth_bytes);
+    map.bytes = texels * ((size_t)map.layers * gl_texel_bytes(format) +
+                          gl_texel_bytes(GL_DEPTH_COMPONENT32F));
     map.texture =
         gl_texture_array(format, map.width, map.height, map.layers, filter);
     map.depth_buffer = gl_depth_buffer(map.width, map.height);
@@ -101,7 +99,8 @@ void shadow_map_draw(ShadowMap *map, const Geometry *geometry,
                      const MapPlan *plan)
 {
     map->touched = (Touched){0, 0};
-    touch(&map->touched, map_plan_texels(plan), map->texel_bytes);
+    touch(&map->touched, map_plan_texels(plan),
+          gl_texel_bytes(map->format) + gl_texel_bytes(GL_DEPTH_COMPONENT32F));
     for (int layer = 0; layer < map->layers; layer++) {
         if (plan->layers[layer].draw) {
             glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffers[layer]);

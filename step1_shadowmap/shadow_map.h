@@ -29,11 +29,10 @@ typedef struct ShadowMap {
     GLuint framebuffers[VIEW_MAX_LAYERS];
     GLenum format; // of the texture
     int width, height, layers;
-    int channels;       // of the texture
-    float far[4];       // a texel that nothing covers
-    size_t texel_bytes; // of a texel and its depth; 0: there is no map
-    size_t bytes;       // of the texture and the depth buffer
-    Touched touched;    // by the last shadow_map_draw
+    int channels;    // of the texture
+    float far[4];    // a texel that nothing covers
+    size_t bytes;    // of the texture and the depth buffer
+    Touched touched; // by the last shadow_map_draw
 } ShadowMap;
 
 // The program that fills a map. Its fragment shader is light_depth.glsl and

@@ -71,6 +71,8 @@ GLuint gl_texture_array(GLenum format, int width, int height, int layers,
 size_t gl_texel_bytes(GLenum format)
 {
     switch (format) {
+    case GL_NONE: // of a map that the plan left out
+        return 0;
     case GL_R32F:
     case GL_RG16F:
     case GL_DEPTH_COMPONENT32F:
