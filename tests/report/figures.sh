@@ -36,6 +36,14 @@ join() {
 
 drawn=$program
 case $program in
+step1_shadowmap)
+    panel spot --scene stage
+    panel layers --scene room --show layer
+    join "$program/technique_lights.png" spot layers
+    panel one --scene avenue --map-size 256
+    panel four --scene avenue --map-size 256 --splits 4
+    join "$program/technique_splits.png" one four
+    ;;
 step2_pcf)
     drawn=step1_shadowmap
     panel acne --bias 0 --slope-bias 0
