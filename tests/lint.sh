@@ -1,6 +1,7 @@
 #!/bin/sh
 # Every C file through both compilers with every warning an error; the shell
-# scripts through theirs. Run by `make lint`, after the set-up.
+# scripts through theirs; and a lesson's length. Run by `make lint`, after the
+# set-up.
 set -eu
 set -- -I. -Ibuild/glad/include '-DSHADER_ROOT=""' -fsyntax-only -Werror \
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
@@ -14,4 +15,9 @@ for compiler in gcc clang; do
 done
 # shellcheck disable=SC2046 # a list of names
 shellcheck $(git ls-files '*.sh') .ci/run
+for limit in 150:main.c 80:README.md; do
+    wc -l step*/"${limit#*:}" | awk -v most="${limit%:*}" '$2 != "total" &&
+        $1 > most { print $2 ": " $1 " lines, at most " most; long = 1 }
+        END { exit long }' >&2
+done
 echo 'lint: nothing to report'
