@@ -44,7 +44,7 @@ static void add_row(const LayerPlan *layer, int number, Facts *facts,
     size_t saved = all - rect_texels(&layer->rect);
     if (rect_is_empty(&layer->rect)) {
         plan_add(&facts->plan, pass, number, false, saved, texel_bytes,
-                 "no visible receiver looks it up");
+                 "nothing looks it up");
     } else {
         plan_add(&facts->plan, pass, number, true, saved, texel_bytes,
                  "%dx%d of %dx%d texels are read; %d of %d objects",
@@ -65,7 +65,7 @@ void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
     for (int i = 0; i < facts->layer_count; i++) {
         LayerPlan *layer = &plan->layers[i];
         layer->rect = needed[i];
-        layer->looked_up = facts->layers[i].looked_up;
+        layer->looked_up = facts_looked_up(facts, i);
         facts_list_casters(&layer->list, facts, i, &layer->rect);
         layer->stamp = stamp_layer(facts, i, &layer->list);
         add_row(layer, i, facts, pass, gl_texel_bytes(format));
@@ -77,8 +77,8 @@ void map_plan_decide_within(MapPlan *plan, Facts *facts, int reach,
 {
     Rect needed[VIEW_MAX_LAYERS];
     for (int i = 0; i < facts->layer_count; i++) {
-        needed[i] =
-            rect_grow(&facts->layers[i].looked_up, reach, reach, facts->size);
+        Rect looked_up = facts_looked_up(facts, i);
+        needed[i] = rect_grow(&looked_up, reach, reach, facts->size);
     }
     map_plan_decide(plan, facts, needed, pass, format);
 }

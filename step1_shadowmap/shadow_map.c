@@ -1,6 +1,7 @@
 #include "step1_shadowmap/shadow_map.h"
 
 #include "step1_shadowmap/base/dump.h" // dump_layers
+#include "step1_shadowmap/base/flat.h" // flat_everywhere
 
 const Option bias_options[] = {
     {.name = "bias",
@@ -33,6 +34,22 @@ void bias_apply(const BiasSettings *settings, GLuint program)
                 (float)settings->constant);
     glUniform1f(glGetUniformLocation(program, "slope_bias"),
                 (float)settings->slope);
+}
+
+// Where the light meets the plane at less than 0.02 the slope's part is held
+// (depth_slope.glsl). The constant part is for rounding, of a mean by more than
+// of a depth.
+void bias_plan(const BiasSettings *settings, Facts *facts, int kernel,
+               GLenum format)
+{
+    static const double least_sine = 0.03;
+    double rounding = format == GL_RG16F ? 0x1p-9 : 0x1p-12;
+    Flat flat;
+    if (flat_everywhere(facts, kernel / 2 + 1, &flat) &&
+        flat.sine > least_sine && settings->slope >= 1 &&
+        settings->constant > rounding + flat.error) {
+        facts_drop_lookups(facts, "one plane alone, which its bias keeps lit");
+    }
 }
 
 Program shadow_map_program(ShaderFiles files, const char *const shaders[])

@@ -22,6 +22,12 @@ BiasSettings bias_settings(void);
 // Sets the uniforms of bias.glsl.
 void bias_apply(const BiasSettings *settings, GLuint program);
 
+// Nothing is looked up where a plane is alone and too much biased to shadow
+// itself: compared with depths in this format, or with means of them about its
+// own place, in a square of kernel x kernel texels.
+void bias_plan(const BiasSettings *settings, Facts *facts, int kernel,
+               GLenum format);
+
 typedef struct ShadowMap {
     Program program;
     GLuint texture; // 2D array, a layer per view

@@ -46,6 +46,7 @@ static void look(void)
 {
     views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    pcf_plan(&state.pcf, &state.bias, &state.facts);
     map_plan_decide_within(&state.plan, &state.facts, pcf_reach(&state.pcf),
                            "depth", GL_R32F);
 }

@@ -76,6 +76,14 @@ int pcf_reach(const PcfSettings *settings)
     return settings->kernel / 2 + 1;
 }
 
+void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
+              Facts *facts)
+{
+    if (!uses_disc(settings) && !settings->bilinear && !settings->adaptive) {
+        bias_plan(bias, facts, settings->kernel, GL_R32F);
+    }
+}
+
 void pcf_apply(const PcfSettings *settings, GLuint program)
 {
     glUseProgram(program);

@@ -5,6 +5,7 @@
 #include <glad/gl.h> // GLuint
 
 #include "step1_shadowmap/base/options.h" // Option
+#include "step1_shadowmap/shadow_map.h"   // BiasSettings
 
 typedef struct PcfSettings {
     int kernel;          // n of n x n taps, odd
@@ -28,6 +29,11 @@ void pcf_shaders(const PcfSettings *settings, const char *files[]);
 
 // How many texels the filter reads to each side of the receiver's own.
 int pcf_reach(const PcfSettings *settings);
+
+// bias_plan of a full grid of taps; no other pattern is known to keep a plane
+// lit.
+void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
+              Facts *facts);
 
 // Sets the uniform of these files.
 void pcf_apply(const PcfSettings *settings, GLuint program);

@@ -107,12 +107,22 @@ typedef struct BlurPlan {
     Rect levels[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS];
 } BlurPlan;
 
+// bias_plan of the blurred map's means, where each is about its own place.
+void blur_plan_bias(const BiasSettings *bias, Facts *facts,
+                    const BlurSettings *settings,
+                    const MomentsSettings *moments);
+
 // Decides from the last pass back to the first, each wider by what the one
 // after it reads around it, and then what is drawn of the moments (see
 // map_plan_decide). Adds all their rows to the facts' plan.
 void blur_plan_decide(BlurPlan *plan, Facts *facts,
                       const BlurSettings *settings,
                       const MomentsSettings *moments);
+
+// The variance of the weights of a filtered texel, in texels of the full map;
+// of a lookup that is the mean of them about the receiver's own place. 0: it
+// may be another, or about another place.
+double blur_spread(const BlurSettings *settings);
 
 // Every texel of every layer, for the files of --dump.
 BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur);

@@ -33,14 +33,14 @@ static FilteredSize filtered_size(const BlurSettings *settings,
 static Rect looked_up(const BlurSettings *settings, const Facts *facts,
                       const FilteredSize *size, int layer, int level)
 {
-    const Rect *rect = &facts->layers[layer].looked_up;
+    const Rect rect = facts_looked_up(facts, layer);
     const int *wide = size->level[level];
-    if (settings->anisotropy > 1 && !rect_is_empty(rect)) {
+    if (settings->anisotropy > 1 && !rect_is_empty(&rect)) {
         return rect_whole(wide[0], wide[1]);
     }
     // A table is read just outside of the box too.
     int reach = settings->sat ? blur_used_radius(settings) + 2 : 1;
-    Rect divided = rect_divide(rect, settings->downsample << level);
+    Rect divided = rect_divide(&rect, settings->downsample << level);
     return rect_grow(&divided, reach, reach, wide);
 }
 
@@ -172,6 +172,16 @@ static void add_lookup_rows(const BlurPlan *plan, const BlurSettings *settings,
     }
 }
 
+void blur_plan_bias(const BiasSettings *bias, Facts *facts,
+                    const BlurSettings *settings,
+                    const MomentsSettings *moments)
+{
+    if (!settings->mips && !settings->sat) {
+        bias_plan(bias, facts, 2 * blur_reach(settings) + 1,
+                  moments_format(moments));
+    }
+}
+
 void blur_plan_decide(BlurPlan *plan, Facts *facts,
                       const BlurSettings *settings,
                       const MomentsSettings *moments)
@@ -213,6 +223,32 @@ Touched blur_plan_touched(const BlurPlan *plan, const Blur *blur, GLenum format)
                   &touched);
     }
     return touched;
+}
+
+static double filter_variance(const BlurSettings *settings, const int sides[2])
+{
+    float weights[2 * 1024 + 1];
+    double mean = 0, square = 0;
+    blur_weights(settings->kernel, sides, weights);
+    for (int i = -sides[0]; i <= sides[1]; i++) {
+        mean += (double)weights[i + sides[0]] * i;
+        square += (double)weights[i + sides[0]] * i * i;
+    }
+    return square - mean * mean;
+}
+
+double blur_spread(const BlurSettings *settings)
+{
+    BlurSides filters[BLUR_MAX_FILTERS];
+    int count = blur_filters(settings, filters);
+    double texel = settings->downsample, variance = 0;
+    if (settings->mips || settings->sat) {
+        return 0;
+    }
+    for (int i = 0; i < count; i++) {
+        variance += filter_variance(settings, filters[i].sides);
+    }
+    return texel * texel * variance;
 }
 
 BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur)

@@ -1,5 +1,4 @@
-// Step 4: blur. The moments are averaged over a neighbourhood before the
-// picture looks them up. It still compares with the mean, and so it is wrong.
+// Step 4: blur. The moments are averaged; comparing with their mean is wrong.
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
@@ -51,6 +50,7 @@ static void look(void)
 {
     views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
+    blur_plan_bias(&state.bias, &state.facts, &state.blur, &state.moments);
     blur_plan_decide(&state.plan, &state.facts, &state.blur, &state.moments);
 }
 

@@ -3,6 +3,7 @@
 #include <string.h> // memmove, strcmp
 
 #include "step1_shadowmap/base/die.h"       // die_usage
+#include "step1_shadowmap/base/flat.h"      // flat_everywhere
 #include "step1_shadowmap/shadow_map.h"     // bias_apply
 #include "step5_chebyshev/deferred.h"       // deferred_source
 #include "step5_chebyshev/guard_settings.h" // guard_of_settings
@@ -155,6 +156,23 @@ void shading_check(ShadingSettings *settings, BaseSettings *base,
     }
 }
 
+// A plane alone varies by V = spread slope^2 across the filter, and t is the
+// mean of that but for rounding and the plane's own error. auto adds to the
+// mean what rounding can have taken, and nothing is lost of V. So t is behind
+// by no more than the error, and p = V / (V + error^2) is 1, as a sum in single
+// precision is V where what is added is less than a half of 2^-24 V; another
+// half is for V's own error. (16 bits round the depths themselves: not shown.)
+static bool is_lit_plane(const ShadingSettings *settings, const Facts *facts)
+{
+    double spread = blur_spread(&settings->blur);
+    Flat flat;
+    return !settings->soft && settings->moments.msaa == 1 &&
+           moments_format(&settings->moments) == GL_RG32F &&
+           settings->chebyshev.min_variance == OPTION_AUTO &&
+           flat_everywhere(facts, settings->reach, &flat) &&
+           flat.error * flat.error < 0x1p-26 * spread * flat.slope * flat.slope;
+}
+
 void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
                   Views *views, const Scene *scene, const BaseSettings *base)
 {
@@ -168,6 +186,10 @@ void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
     facts_collect(facts, scene, views, base);
     if (settings->soft) {
         facts_look_everywhere(facts);
+    }
+    if (is_lit_plane(settings, facts)) {
+        facts_drop_lookups(facts, "one plane alone, which varies too much to "
+                                  "shadow itself");
     }
     blur_plan_decide(plan, facts, &settings->blur, &settings->moments);
     plan_add(&facts->plan, "G-buffer", -1, settings->deferred, 0, 0, "%s",

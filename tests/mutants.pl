@@ -656,6 +656,17 @@ my %mutants = (
         'add_slab(&volume, clip[1], clip[3])',
         'add_slab(&volume, clip[1], clip[0])'
     ],
+    'a plane that no bias keeps lit' => [
+        'plan', 'step1_shadowmap/shadow_map.c',
+        'settings->slope >= 1', 'settings->slope >= 0'
+    ],
+    'a plane that hardly varies is lit' => [
+        'plan', 'step5_chebyshev/shading.c', '0x1p-26 *', '0x1p25 *'
+    ],
+    'a plane that is behind its own bias' => [
+        'plan', 'step1_shadowmap/shadow_map.c', 'settings->constant >',
+        '1 >'
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

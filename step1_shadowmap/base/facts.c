@@ -299,6 +299,19 @@ bool facts_make_maps(const Facts *facts)
     return facts_look_up(facts) || facts->dumped;
 }
 
+void facts_drop_lookups(Facts *facts, const char *why)
+{
+    facts->lookups = false;
+    facts->plan.count--; // the row of the lookup, which is the last so far
+    plan_add(&facts->plan, "lookup", -1, false, 0, 0, "%s", why);
+}
+
+Rect facts_looked_up(const Facts *facts, int layer)
+{
+    return facts->lookups ? facts->layers[layer].looked_up
+                          : (Rect){{0, 0}, {0, 0}};
+}
+
 void facts_look_everywhere(Facts *facts)
 {
     for (int layer = 0; layer < facts->layer_count; layer++) {

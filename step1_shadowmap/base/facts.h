@@ -45,6 +45,12 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
 bool facts_look_up(const Facts *facts);
 bool facts_make_maps(const Facts *facts);
 
+// Every receiver is lit for certain: nothing is looked up. `why` is for --plan.
+void facts_drop_lookups(Facts *facts, const char *why);
+
+// The texels that receivers lie in; none where nothing is looked up.
+Rect facts_looked_up(const Facts *facts, int layer);
+
 // A lookup may be anywhere in the layers that receivers are in.
 void facts_look_everywhere(Facts *facts);
 

@@ -47,6 +47,16 @@ for ( [ '<', 97 ], [ '==', 97, '--keep-all' ] ) {
     cmp_ok( $drawn // -1, $relation, $all,
         "avenue:turn=40 @options: objects drawn, of $all" );
 }
+
+# A plane alone is not looked up; where it can shadow itself it is: without a
+# bias or with a negative one, and where it hardly varies across the filter.
+for my $step ( 1 .. 5 ) {
+    same_pixels( $step, qw(--scene empty) );
+    same_pixels( $step, qw(--scene grazing --splits 2) ) if $ENV{VSM_ALL};
+}
+same_pixels( 1, qw(--scene empty --slope-bias 0) );
+same_pixels( 2, qw(--scene empty --bias -0.02) );
+same_pixels( 5, qw(--scene empty:elevation=89.9 --radius 1) );
 same_pixels( 5, qw(--scene offstage --light point) );
 
 # Every pass of the filter, and every lookup, in rectangles.
