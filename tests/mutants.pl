@@ -667,6 +667,15 @@ my %mutants = (
         'plan', 'step1_shadowmap/shadow_map.c', 'settings->constant >',
         '1 >'
     ],
+    'a lookup of a map that does not reach so far' => [
+        'looked_up', 'step1_shadowmap/shaders/scene.frag',
+        "        return 1.0;\n    }\n    lookups++;",
+        "        lookups++;\n        return 1.0;\n    }\n    lookups++;"
+    ],
+    'a lookup that was left out is shown' => [
+        'looked_up', 'step1_shadowmap/shaders/unshadowed.glsl',
+        'lookups = 0;', ''
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

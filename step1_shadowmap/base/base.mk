@@ -41,6 +41,8 @@ base := \
     step1_shadowmap/shaders/scale_grey.glsl \
     step1_shadowmap/shaders/show_layer.glsl \
     step1_shadowmap/shaders/scale_hue.glsl \
+    step1_shadowmap/shaders/show_plan.glsl \
+    step1_shadowmap/shaders/scale_lookups.glsl \
     step1_shadowmap/base/legend.h step1_shadowmap/base/legend.c \
     step1_shadowmap/shaders/fullscreen.vert \
     step1_shadowmap/shaders/legend.frag \

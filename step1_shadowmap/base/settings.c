@@ -64,8 +64,10 @@ const Option base_options[] = {
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, show),
      .argument = "WHAT",
-     .help = "shaded, visibility (1 lit, 0 in shadow), depth or layer; from "
-             "step 3 on also mean or variance"},
+     .help =
+         "shaded, visibility (1 lit, 0 in shadow), depth, layer or plan (how "
+         "many lookups a pixel needed); from step 3 on also mean or "
+         "variance"},
     {.name = "dump",
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, dump),
@@ -119,6 +121,9 @@ static const ShowMode shows[] = {
     {"layer", "step1_shadowmap/shaders/show_layer.glsl",
      "step1_shadowmap/shaders/scale_hue.glsl",
      "0          layer of the map            7", false},
+    {"plan", "step1_shadowmap/shaders/show_plan.glsl",
+     "step1_shadowmap/shaders/scale_lookups.glsl",
+     "0          lookups in the map          2", false},
     {NULL, NULL, NULL, NULL, false},
 };
 
@@ -140,7 +145,7 @@ const ShowMode *base_show_mode(const BaseSettings *settings)
     }
     if (mode == NULL) {
         die_usage("--show '%s': allowed are shaded, visibility, depth, "
-                  "layer%s",
+                  "layer, plan%s",
                   settings->show,
                   settings->more_shows ? ", mean, variance" : "");
     }

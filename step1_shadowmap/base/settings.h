@@ -38,7 +38,7 @@ extern const Option base_options[];
 
 // The defaults of a program (stepN_what), which writes out/stepN.png if no
 // option says otherwise.
-// `more_shows` are choices of --show besides the four that every step has; the
+// `more_shows` are choices of --show besides the five that every step has; the
 // list ends with a NULL name.
 BaseSettings base_settings(const char *program, const ShowMode *more_shows);
 

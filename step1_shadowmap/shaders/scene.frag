@@ -29,7 +29,11 @@ float falloff(float distance, float spread)
 // What the map does not hold is lit.
 float map_visibility(Receiver receiver)
 {
-    return inside_map(receiver) ? visibility(receiver) : 1.0;
+    if (!inside_map(receiver)) {
+        return 1.0;
+    }
+    lookups++;
+    return visibility(receiver);
 }
 
 // Where one layer hands over to the next, a mixture of what both say.

@@ -3,5 +3,6 @@
 
 float visibility(Receiver receiver)
 {
+    lookups = 0;
     return 1.0;
 }

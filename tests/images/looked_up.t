@@ -34,4 +34,25 @@ for my $case (
         dump_run( 1, @small, '--scene', $scene, @options ), "most=$most" );
 }
 
+# --show plan: the pixels that look a map up, and those that need not.
+for my $case (
+    [ 'most=1', 1, 'room:turn=-60' ],
+    [ 'most=2', 2, 'avenue:turn=20', qw(--splits 4) ],
+    [ 'most=1', 5, qw(stage --deferred) ],
+    [ 'most=1', 3, qw(empty --keep-all) ],
+    [ 'none=1', 4, 'empty' ],
+    [ 'none=1', 5, 'offstage' ],
+    [ 'none=1', 1, qw(teapot --shadows off) ],
+  )
+{
+    my ( $what, $step, $scene, @options ) = @$case;
+    oracle(
+        'plan',
+        dump_run(
+            $step, @small, '--scene', $scene, '--show', 'plan', @options
+        ),
+        $what
+    );
+}
+
 done_testing;

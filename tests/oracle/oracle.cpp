@@ -23,6 +23,7 @@
 #include "tests/oracle/scene_table.h"
 #include "tests/oracle/serve.h"
 #include "tests/oracle/shading.h"
+#include "tests/oracle/show_plan.h"
 #include "tests/oracle/stability.h"
 #include "tests/oracle/stage.h"
 #include "tests/oracle/truth_checks.h"
@@ -40,6 +41,8 @@ static const char *const USAGE =
     "           of those in shadow that is not [lost-least=0] [lost-most=1]\n"
     "  looked-up  the texels that run.json says are looked up, against the\n"
     "           pixels that do [most=1]: how many times as many as these need\n"
+    "  plan     --show plan: which pixels have to look a map up [none=1] none\n"
+    "           [most=1]: as many as some need\n"
     "  shading  the picture from positions, normals and visibility\n"
     "  edge     scene edge: visibility is the lit share (steps 1, 2, 5)\n"
     "  bleed    scene bleed: the worst light bleeding (r=R, the gaps' ratio)\n"
@@ -193,10 +196,12 @@ static void run_check(const std::string &check, const std::string &folder,
 {
     bool bleed = check == "bleed", disc = check == "disc";
     bool overlap = check == "overlap", looked_up = check == "looked-up";
+    bool plan = check == "plan";
     Arguments arguments(words, bleed       ? Words{"r"}
                                : disc      ? Words{"grid"}
                                : overlap   ? Words{"other"}
                                : looked_up ? Words{"most"}
+                               : plan      ? Words{"none", "most"}
                                            : Words{});
     Run run = load_run(folder);
     if (check == "files") {
@@ -220,6 +225,10 @@ static void run_check(const std::string &check, const std::string &folder,
                    report);
     } else if (looked_up) {
         check_looked_up(run, arguments.number("most", 1), report);
+    } else if (plan) {
+        bool none = arguments.number("none", 0) != 0;
+        int most = int(arguments.number("most", none ? 0 : 1));
+        check_show_plan(run, none, most, report);
     } else if (overlap) {
         check_overlap(run, load_run(arguments.text("other", "")), report);
     } else if (disc) {

@@ -88,7 +88,7 @@ my %OPTIONS = (
     },
     show => {
         steps   => [ 1 .. 5 ],
-        differ  => [ 'visibility', 'depth', 'layer' ],
+        differ  => [ 'visibility', 'depth', 'layer', 'plan' ],
         same    => ['shaded'],
         check   => \&check_show,
         bad     => [ 'all', '', 'shade', 'shaded,visibility' ],
