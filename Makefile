@@ -14,7 +14,7 @@ include $(PROGRAMS:%=%/Makefile)
 include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
-.PHONY: all programs set-up set-up-tests test identical stability fuzz mutants \
+.PHONY: all programs set-up set-up-tests test identical stability fuzz mutants saved \
     sanitize report bench standalone window diff figures lint format clean help
 
 # What each Debian package is recognised by.

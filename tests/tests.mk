@@ -93,6 +93,9 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/rep
 bench: set-up-tests programs ## how the time grows with width, map, triangles, picture, layers: out/bench/
 	@VSM_BUILD=$(BUILD) perl tests/report/bench.pl
 
+saved: set-up-tests programs ## time of each scene and step with and without what is left out: out/bench/saved.csv
+	@VSM_BUILD=$(BUILD) perl tests/report/saved.pl
+
 mutants: set-up-tests warm $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@VSM_BUILD=$(BUILD) perl tests/mutants.pl
 

@@ -85,6 +85,24 @@ for my $options ( @filters, $ENV{VSM_ALL} ? @more : () ) {
       for $ENV{VSM_ALL} ? @scenes : $turned;
 }
 
+# Where nothing casts or is lit a frame is that of --shadows off: no pass more,
+# and none that touches more. (`make saved` takes the times.)
+sub passes {
+    my ( $step, @options ) = @_;
+    my $run = run_warm( $step, @small, qw(--bench 1 --output),
+        tempdir( CLEANUP => 1 ) . '/a.png', @options );
+    my ( undef, @rows ) = split /\n/, $run->{out};
+    @rows or die "step $step @options: no times\n";
+    return join "\n", map { join ',', ( split /,/ )[ 0, 6, 7 ] } @rows;
+}
+for my $step ( 1 .. 5 ) {
+    is(
+        passes( $step, '--scene', $_ ),
+        passes( $step, '--scene', $_, qw(--shadows off) ),
+        "step $step, $_: the passes of --shadows off"
+    ) for qw(empty unlit offstage);
+}
+
 # The camera before one wall: about ten times faster, with the maps drawn in
 # every frame.
 my $folder = tempdir( CLEANUP => 1 );

@@ -154,4 +154,43 @@ like(
     );
 }
 
+# --- `make saved` ------------------------------------------------------------
+
+sub saved {
+    my ( $programs, @scenes ) = @_;
+    local $ENV{BENCH_OUT} = "$folder/out";
+    local $ENV{VSM_BUILD} = $programs;
+    return command( $^X, root() . '/tests/report/saved.pl', @scenes );
+}
+
+$run = saved( programs( 'planned', <<'END' ), 'room:turn=-100', 'empty' );
+$ms{depth} = "@ARGV" =~ /--keep-all/ ? 960 : 0.5;
+$ms{shading} += 10 if "@ARGV" =~ /--shadows off/;
+END
+is( $run->{status}, 0, 'what is saved: the claims hold' )
+  or diag( $run->{out}, $run->{err} );
+like(
+    $run->{out},
+    qr/^room:turn=-100 +3 +230\.90 +1190\.40 +5\.16 +240\.90 +0\.96$/m,
+    'a row of the table'
+);
+like(
+    $run->{out},
+    qr/^holds room:turn=-100, step 5: .* 5\.16, at least 2$/m,
+    'before a wall'
+);
+like(
+    $run->{out},
+    qr/^holds empty, step 1: .* 0\.96, at most 1\.05$/m,
+    'where nothing casts'
+);
+is( scalar( () = slurp("$folder/out/saved.csv") =~ /\n/g ),
+    11, 'the results have a head and a row for each' );
+
+$run = saved( programs( 'kept', '$ms{depth} = "@ARGV" =~ m{off} ? 0 : 90;' ),
+    'room:turn=-100', 'empty' );
+is( $run->{status}, 1, 'nothing saved: the exit status tells' );
+like( $run->{out}, qr/^FAILS $_/m, "nothing saved: $_" )
+  for 'room:turn=-100, step 1', 'empty, step 5';
+
 done_testing;
