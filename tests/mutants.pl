@@ -1,18 +1,23 @@
 #!/usr/bin/perl
-# Plants one mistake at a time in a shader, or in a C file and then builds the
-# programs again in a copy, and demands that a step's tests fail. The tests
-# compare with formulas, closed forms and ray casting: none of them knows the
-# committed pictures. usage: mutants.pl [NAME...]
+# Plants one mistake at a time and demands that a test fails: in a shader; in a
+# C file, and then builds the programs again in a copy; or in the arithmetic of
+# the oracle and the report (report/Mistakes.pm). The tests compare with
+# formulas, closed forms and ray casting: none of them knows the committed
+# pictures. usage: mutants.pl [NAME...]
 use strict;
 use warnings;
 use Cwd qw(abs_path);
 use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
+use FindBin;
+use lib "$FindBin::Bin/report";
+use Mistakes qw(%MISTAKES);
 
 # name => [test that must fail, file, what stands there, the mistake, and where
 # one file is not enough another three of these]
 my %mutants = (
+    %MISTAKES,
     'every tap reads the same texel' => [
         'step2', 'step2_pcf/shaders/pcf.glsl',
         'middle + ivec2(x, y)',
@@ -691,32 +696,48 @@ sub read_file {
     return <$file>;
 }
 
-# A copy of what the programs are made from and of what has been made of it, so
-# that a change costs one file to compile. Programs keep their shaders' folder.
-sub copy_tree {
-    my ($folder) = @_;
-    my @copied = (
-        'Makefile', 'tests/tests.mk', glob('step*'), glob('build/obj/step*'),
-        qw(build/glad build/image.so)
-    );
+# Copies of these below a folder, with their times, so that a change costs one
+# file to compile.
+sub copy_to {
+    my ( $folder, @copied ) = @_;
     system( 'cp', '-a', '--parents', @copied, $folder ) == 0
       or die "cannot copy to $folder\n";
-    symlink abs_path('build/oracle'), "$folder/build/oracle";
     return;
 }
 
-# Plants the changes into a folder. Returns what a test's environment is to say
-# so that it finds them there.
+# What the programs are made from and what has been made of it. Programs keep
+# their shaders' folder.
+my @SOURCES = (
+    'Makefile', 'tests/tests.mk', glob('step*'), glob('build/obj/step*'),
+    qw(build/glad build/image.so)
+);
+my @ORACLE = qw(tests/oracle tests/stability build/obj/tests);
+my @REPORT = qw(tests/lib tests/report tests/robustness README.md);
+
+sub build_in {
+    my ( $folder, $target ) = @_;
+    system("make -C $folder DEPS=no $target >$folder/log 2>&1") == 0
+      or die "the mutant does not build:\n" . read_file("$folder/log");
+    return;
+}
+
+# Plants the changes into a folder. Returns where the test is to run, and what
+# its environment is to say so that it finds them there.
 sub plant {
     my @change = @_;
     my $folder = tempdir( CLEANUP => 1 );
-    my $is_c   = grep { /\.[ch]$/ } @change;
-    copy_tree($folder) if $is_c;
+    my ($kind) = map { /\.(cpp|c|h|pm)$/ ? $1 : () } @change;
+    $kind //= 'shader';
+    copy_to( $folder, @REPORT, glob('step*') ) if $kind eq 'pm';
+    copy_to( $folder, @SOURCES ) if $kind =~ /^(?:c|h|cpp)$/;
+    copy_to( $folder, @ORACLE )  if $kind eq 'cpp';
     plant_one( $folder, splice @change, 0, 3 ) while @change;
-    return ( VSM_SHADERS => $folder ) unless $is_c;
-    system("make -C $folder DEPS=no programs >$folder/log 2>&1") == 0
-      or die "the mutant does not build:\n" . read_file("$folder/log");
-    return ( VSM_BUILD => "$folder/build" );
+    return ( '.', VSM_SHADERS => $folder ) if $kind eq 'shader';
+    return ( $folder, VSM_BUILD => abs_path('build') ) if $kind eq 'pm';
+    my @kept = $kind eq 'cpp' ? glob('build/step*') : 'build/oracle';
+    symlink abs_path($_), "$folder/$_" for @kept;
+    build_in( $folder, $kind eq 'cpp' ? 'build/oracle' : 'programs' );
+    return ( '.', VSM_BUILD => "$folder/build" );
 }
 
 sub plant_one {
@@ -735,11 +756,11 @@ sub plant_one {
 # The first test that fails with these in its environment, or nothing. The
 # tests after it are not run: one is enough.
 sub first_failure {
-    my ( $test, %where ) = @_;
+    my ( $test, $folder, %where ) = @_;
     local @ENV{ keys %where } = values %where;
     my $file = 'tests/' . ( $test =~ m{/} ? '' : 'images/' ) . "$test.t";
     my $child = open my $tap, '-|',
-      "exec perl -Itests/lib $file 2>/dev/null"
+      "cd $folder && exec perl -Itests/lib $file 2>/dev/null"
       or die "cannot run perl: $!\n";
     while (<$tap>) {
         next unless /^not ok \d+ - (.*)$/;

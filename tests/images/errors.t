@@ -85,13 +85,24 @@ my @wrong  = grep {
 cmp_ok( max( map { abs } @errors ), '>', 0.05, 'some errors are to be seen' );
 is( "@wrong", '', 'blue where it is too dark, red where it is too light' );
 
+sub shown_in {
+    my ($dump) = @_;
+    my @normals = pixels_of("$dump/normal.exr");
+    return scalar grep { grep { $_ != 0 } @$_ } @normals;
+}
+
 # Counted is what shows an object, and not the background; all of this one
 # faces the light.
 $dump = dump_run( 1, '--scene', 'bleed', @small );
+my $shown = shown_in($dump);
 %rows = rows_of($dump);
-my $shown = grep { grep { $_ != 0 } @$_ }
-  pixels_of("$dump/normal.exr");
 is( $rows{hard}{pixels}, $shown, 'what shows an object counts' );
 cmp_ok( $shown, '<', 160 * 90, 'and something does not' );
+
+# And here the light comes in at less than N.L = 0.1.
+$dump = dump_run( 1, '--scene', 'grazing', @small );
+%rows = rows_of($dump);
+is( "$rows{hard}{pixels} $rows{hard}{apart}",
+    '0 ' . shown_in($dump), 'silhouettes are apart' );
 
 done_testing;

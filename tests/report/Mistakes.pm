@@ -1,0 +1,114 @@
+# Mistakes in the report's arithmetic, for tests/mutants.pl, which says what
+# they are made of.
+package Mistakes;
+
+use strict;
+use warnings;
+
+use Exporter qw(import);
+
+our @EXPORT_OK = qw(%MISTAKES);
+
+my $WORDS  = 'robustness/report_words';
+my $ERRORS = 'tests/oracle/errors.cpp';
+
+our %MISTAKES = (
+
+    # --- the oracle's table of errors ---
+    'an error of the wrong sign' => [
+        'errors',
+        $ERRORS,
+        'value.error(pixel.receiver.visibility) : 0',
+        '-value.error(pixel.receiver.visibility) : 0'
+    ],
+    'an RMSE without its root' =>
+      [ 'errors', $ERRORS, 'std::sqrt(squares / count)', 'squares / count' ],
+    'an RMSE of all pixels, counted or not' => [
+        'errors', $ERRORS,
+        'std::sqrt(squares / count)',
+        'std::sqrt(squares / double(comparison.kinds.size()))'
+    ],
+    'the 98th percentile' => [
+        'errors',                        $ERRORS,
+        'long(std::ceil(0.99 * count))', 'long(std::ceil(0.98 * count))'
+    ],
+    'a share over 2/255' =>
+      [ 'errors', $ERRORS, 'error > 1.0 / 255', 'error > 2.0 / 255' ],
+    'a mean without signs' => [
+        'errors',                                    $ERRORS,
+        'sum += double(comparison.error.values[i])', 'sum += error'
+    ],
+    'silhouettes among the others' => [
+        'errors',                                $ERRORS,
+        'return pixel.grazing || value.apart ?', 'return value.apart ?'
+    ],
+    'each link of the chain from light truth' => [
+        'chain',                            $ERRORS,
+        'link(kinds, images[i - 1].values', 'link(kinds, images[0].values'
+    ],
+
+    # --- times ---
+    'quartiles that jump from frame to frame' =>
+      [ $WORDS, 'tests/report/Measure.pm', '( $place - $index ) *', '0 *' ],
+    'a third quartile that is the median' =>
+      [ $WORDS, 'tests/report/Measure.pm', '0.75, @times', '0.5, @times' ],
+    'a round\'s mean frame for its median' => [
+        $WORDS,                     'tests/report/Measure.pm',
+        'quantile( 0.5, @$times )', 'eval( join "+", @$times ) / @$times'
+    ],
+    'the fastest frames are the slowest' => [
+        $WORDS,                   'tests/report/Measure.pm',
+        'quantile( 0, @$times )', 'quantile( 1, @$times )'
+    ],
+    'a ratio of the medians of all rounds' => [
+        $WORDS,
+        'tests/report/Judge.pm',
+        "quantile( 0.5,\n        map { \$these->[\$_] / \$those->[\$_] }"
+          . ' 0 .. $rounds - 1 )',
+        'quantile( 0.5, @$these ) / quantile( 0.5, @$those ) + 0 * $rounds'
+    ],
+
+    # --- front, claims, verdicts ---
+    'a front by medians' => [
+        $WORDS,
+        'tests/report/Judge.pm',
+        '$this->{total_q3} < $that->{total_q1}',
+        '$this->{total_ms} < $that->{total_ms}'
+    ],
+    'a front that keeps what is slower and as wrong' => [
+        $WORDS,                       'tests/report/Judge.pm',
+        '<= $that->{footprint_rmse}', '< $that->{footprint_rmse}'
+    ],
+    'edge may be off by 1e-3' => [
+        $WORDS,             'tests/report/Judge.pm',
+        'pcf_rmse} < 1e-4', 'pcf_rmse} < 1e-3'
+    ],
+    'bleeding may be off by a tenth' =>
+      [ $WORDS, 'tests/report/Judge.pm', '<= 0.02', '<= 0.1' ],
+    'a wrong formula of the bleeding' =>
+      [ $WORDS, 'tests/report/Judge.pm', '( 4 / 6 )**2', '( 4 / 5 )**2' ],
+    'what cannot be told holds' => [
+        $WORDS,                      'tests/report/Judge.pm',
+        'return   if $to >= $least', 'return 1 if $to >= $least'
+    ],
+    'a crossing without logarithms' => [
+        $WORDS,
+        'tests/report/Verdict.pm',
+        'log( $from->{factor} ) / log( $from->{factor} / $to->{factor} )',
+        '( 1 - $from->{factor} ) / ( $to->{factor} - $from->{factor} )'
+    ],
+    'a factor the wrong way round' => [
+        $WORDS,                         'tests/report/Verdict.pm',
+        "( 'PCF', 1 / \$_->{factor} )", "( 'PCF', \$_->{factor} )"
+    ],
+    'a warning before twice the error' => [
+        $WORDS,                 'tests/report/Verdict.pm',
+        '$best <= 2 * $pair->', '$best <= 1 * $pair->'
+    ],
+    'a warning where hard shadows are worse' =>
+      [ $WORDS, 'tests/report/Verdict.pm', '|| $best <= $hard', '' ],
+    'a front drawn through what is as wrong' =>
+      [ $WORDS, 'tests/report/Plot.pm', '$error >= $least', '$error > $least' ],
+);
+
+1;
