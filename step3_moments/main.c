@@ -48,6 +48,7 @@ static void look(void)
     views_fit(&state.views, &state.scene, &state.base, REACH);
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
     bias_plan(&state.bias, &state.facts, 1, moments_format(&state.moments));
+    moments_compare_exactly(&state.moments, &state.facts);
     map_plan_decide_within(&state.plan, &state.facts, REACH, "moments",
                            moments_format(&state.moments));
 }

@@ -681,6 +681,17 @@ my %mutants = (
         'looked_up', 'step1_shadowmap/shaders/unshadowed.glsl',
         'lookups = 0;', ''
     ],
+    'the error of 16 bits whatever is how far apart' => [
+        'format', 'step5_chebyshev/half.c', '/ (gap - 2 * stored)', ''
+    ],
+    'the nearest of the surfaces forgotten' => [
+        'format', 'step5_chebyshev/half.c', 'i = 1; i < list->count',
+        'i = 2; i < list->count'
+    ],
+    'surfaces that lean are taken for upright' => [
+        'format', 'step5_chebyshev/half.c', 'return high - low < SAME',
+        'return high - low < 2'
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

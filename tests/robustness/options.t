@@ -152,7 +152,7 @@ my %OPTIONS = (
     adaptive => { steps => [2], check => \&check_adaptive },
     format   => {
         steps   => [ 3 .. 5 ],
-        same    => ['rg32f'],
+        same    => [qw(rg32f auto)],
         check   => \&check_format,
         bad     => [ 'rg8', '' ],
         allowed => qr/rg32f/,
