@@ -634,7 +634,7 @@ my %mutants = (
         'along[axis] = (face % 2 ? -1 : face == 4 ? -1 : 1)'
     ],
     'a rectangle that ends before its receivers' => [
-        'looked_up',           'step1_shadowmap/base/facts.c',
+        'looked_up',           'step1_shadowmap/base/receivers.c',
         ') + MARGIN_TEXELS;', ') - 2 * MARGIN_TEXELS;'
     ],
     'a blur that reads beyond what was drawn' => [

@@ -6,17 +6,9 @@
 
 #include <stdbool.h>
 
-#include "step1_shadowmap/base/plan.h" // Plan
-#include "step1_shadowmap/base/rect.h" // Rect
-#include "step1_shadowmap/base/view.h" // Views
-
-// Receivers are the parts of surfaces that are in the picture, in front of the
-// light or not known to face away, and in the map.
-typedef struct LayerFacts {
-    Rect looked_up; // the texels that receivers lie in, and some around them
-                    // for rounding; empty: none does
-    double deepest; // the largest t of a receiver; no less than it is
-} LayerFacts;
+#include "step1_shadowmap/base/plan.h"      // Plan
+#include "step1_shadowmap/base/receivers.h" // LayerFacts
+#include "step1_shadowmap/base/settings.h"  // BaseSettings
 
 typedef struct Facts {
     const Scene *scene;

@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/view.h"
 
-#include <math.h>   // fmax, fmin, tan
+#include <math.h>   // fmax, fmin, sqrt, tan
 #include <stdio.h>  // snprintf
 #include <string.h> // memset
 
@@ -114,6 +114,15 @@ void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
     fit_light(views, scene, aspect, settings->splits);
     list_objects(views, scene, settings->keep_all);
+}
+
+double view_light_depth(const Views *views, int layer, const double position[3])
+{
+    const double *row = views->light[layer].depth_from_relative;
+    double away[3];
+    dvec_subtract(position, views->light_position, away);
+    return dvec_dot(row, position) + row[3] +
+           views->depth_per_distance * sqrt(dvec_dot(away, away));
 }
 
 void view_set_matrix(GLuint program, const char *name,

@@ -58,6 +58,10 @@ typedef struct Views {
 void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
                int reach);
 
+// t of a position in a layer.
+double view_light_depth(const Views *views, int layer,
+                        const double position[3]);
+
 // Rounds a matrix to single precision and sets a mat4 uniform of the program.
 void view_set_matrix(GLuint program, const char *name,
                      const double matrix[4][4]);
