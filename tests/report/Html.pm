@@ -5,6 +5,7 @@ use strict;
 use warnings;
 
 use Exporter qw(import);
+use POSIX    qw(floor);
 
 our @EXPORT_OK = qw(escaped number names_of);
 
@@ -15,14 +16,15 @@ sub escaped {
     return $text =~ s/([&<>"])/$entity{$1}/gr;
 }
 
-# Three significant digits, without an exponent where that is short.
+# So many significant digits, three if nothing is said; without an exponent
+# where that is short.
 sub number {
-    my ($value) = @_;
+    my ( $value, $digits ) = @_;
     return ''         if !defined $value || $value eq '';
     return $value + 0 if $value == 0;
     return sprintf '%.1e', $value if abs $value < 1e-3;
-    my $digits = 2 - int( log( abs $value ) / log(10) + 100 ) + 100;
-    return sprintf '%.*f', $digits > 0 ? $digits : 0, $value;
+    my $after = ( $digits // 3 ) - 1 - floor( log( abs $value ) / log(10) );
+    return sprintf '%.*f', $after > 0 ? $after : 0, $value;
 }
 
 # The different values of a column, in the points' order.

@@ -107,6 +107,13 @@ our %MISTAKES = (
     ],
     'a warning where hard shadows are worse' =>
       [ $WORDS, 'tests/report/Verdict.pm', '|| $best <= $hard', '' ],
+    'PCF\'s error over VSM\'s' =>
+      [ $WORDS, 'tests/report/Verdict.pm', '$vsm / $pcf if', '$pcf / $vsm if' ],
+    'from the width below the crossing' => [
+        $WORDS, 'tests/report/Verdict.pm',
+        '$whole++ while $whole < $width || $whole % 2 == 0',
+        '$whole-- while $whole % 2 == 0'
+    ],
     'a front drawn through what is as wrong' =>
       [ $WORDS, 'tests/report/Plot.pm', '$error >= $least', '$error > $least' ],
 );

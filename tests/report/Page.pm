@@ -12,8 +12,51 @@ use Columns qw(@COLUMNS);
 use Html    qw(escaped number names_of);
 use Judge   qw(outcome);
 use Scene   qw(scene_section maps_section undrawn);
+use Verdict qw(compared in_short);
 
 our @EXPORT_OK = qw(page);
+
+# --- in short ----------------------------------------------------------------
+
+# VSM beside PCF, a row for each scene: {from}, then a column for each of these.
+my @SHORT = (
+    [ faster  => 15, 'Times as fast at 15' ],
+    [ faster  => 31, 'at 31' ],
+    [ wronger => 7,  'Times as wrong at 7' ],
+    [ wronger => 15, 'at 15' ],
+    [ wronger => 31, 'at 31' ],
+);
+
+sub short_row {
+    my ( $name, $compared ) = @_;
+    my @numbers = map {
+        my ( $what, $width ) = @$_;
+        number( $compared->{$what}{$width}, 2 )
+    } @SHORT;
+    return "<tr><td><a href=\"#scene-$name\">$name</a></td>"
+      . join( '', map { "<td>$_</td>" } $compared->{from} // '&ndash;',
+        @numbers )
+      . '<td>'
+      . ( $compared->{too_wrong} ? '<strong>do not use VSM</strong>' : '' )
+      . "</td></tr>\n";
+}
+
+# From [name, what was compared] of each scene.
+sub short_section {
+    my @scenes = @_ or return '<p>PCF and VSM were not both measured.</p>';
+    my @heads =
+      ( 'Scene', 'VSM is faster from width', map( { $_->[2] } @SHORT ), '' );
+    my @sentences = map { escaped($_) } in_short(@scenes);
+    s{^(Do not .*)}{<strong>$1</strong>} for @sentences;
+    return
+        '<p class="verdict">'
+      . join( ' ', @sentences )
+      . "</p>\n<div class=\"wide\">\n<table id=\"short\">\n<thead><tr>"
+      . join( '', map { "<th scope=\"col\">$_</th>" } @heads )
+      . "</tr></thead>\n<tbody>\n"
+      . join( '', map { short_row(@$_) } @scenes )
+      . "</tbody>\n</table>\n</div>\n";
+}
 
 # --- the table ---------------------------------------------------------------
 
@@ -144,10 +187,15 @@ sub filled {
 # left_out, claims.
 sub page {
     my ( $folder, %report ) = @_;
-    my @points = @{ $report{points} };
-    my $about  = $report{environment};
-    my @scenes = names_of( 'scene', @points );
-    my $here   = $FindBin::Bin;
+    my @points   = @{ $report{points} };
+    my $about    = $report{environment};
+    my @scenes   = names_of( 'scene', @points );
+    my $here     = $FindBin::Bin;
+    my @compared = map {
+        my $scene = $_;
+        my $pair  = compared( grep { $_->{scene} eq $scene } @points );
+        $pair ? [ $scene, $pair ] : ()
+    } @scenes;
     undrawn();    # of an earlier page
     my $page = filled(
         slurp("$here/page.html"),
@@ -160,6 +208,7 @@ sub page {
               . "pictures of $about->{picture}; $about->{date}"
         ),
         missing => missing_list(@points),
+        short   => short_section(@compared),
         clock   => escaped( $about->{clock} ),
         links   => join( ' ',
             map( { "<a href=\"#scene-$_\">$_</a>" } @scenes ),

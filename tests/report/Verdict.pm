@@ -7,7 +7,7 @@ use warnings;
 use Exporter qw(import);
 use Judge    qw(ratio);
 
-our @EXPORT_OK = qw(verdict crossing);
+our @EXPORT_OK = qw(verdict crossing compared in_short);
 
 # Of PCF and plain VSM at the same widths: how much longer PCF takes, frame by
 # frame of the same round.
@@ -119,8 +119,10 @@ sub blamed {
     my @links   = sort { $rmse{$b} <=> $rmse{$a} || $a cmp $b } keys %rmse;
     my $most    = $rmse{ $links[0] };
     return '' if $most < 1e-3;
-    return enumerated( map { $BLAME{$_} }
-          grep { $rmse{$_} >= $most / 2 } @links );
+    return enumerated(
+        map  { $BLAME{$_} }
+        grep { $rmse{$_} >= $most / 2 } @links
+    );
 }
 
 # How wrong VSM is beside PCF, each against the exact average over its filter.
@@ -167,10 +169,10 @@ sub reduced {
       : '';
 }
 
-# Where even its best is more than twice as wrong as PCF at every width from 7
-# on, and no better than hard shadows are, nothing speaks for it.
-sub advice {
-    my ( $scene, $points, @pairs ) = @_;
+# Whether even its best is more than twice as wrong as PCF at every width from 7
+# on, and no better than hard shadows are: then nothing speaks for it.
+sub too_wrong {
+    my ( $points, @pairs ) = @_;
     my %point  = map { ( $_->{label} => $_ ) } @$points;
     my $hard   = $point{hard}{footprint_rmse};
     my @judged = grep {
@@ -178,15 +180,23 @@ sub advice {
           && defined $_->{pcf}{footprint_rmse}
           && defined $_->{vsm}{footprint_rmse}
     } @pairs;
-    return '' unless @judged && defined $hard;
+    return 0 unless @judged && defined $hard;
     for my $pair (@judged) {
         my ($best) = sort { $a <=> $b }
           map { $point{"$_ $pair->{width}"}{footprint_rmse} // () } 'VSM',
           'VSM reduced';
-        return ''
+        return 0
           if $best <= 2 * $pair->{pcf}{footprint_rmse} || $best <= $hard;
     }
-    return "Do not use VSM on $scene.";
+    return 1;
+}
+
+sub advice {
+    my ( $scene, $points, @pairs ) = @_;
+    return too_wrong( $points, @pairs )
+      ? "Do not use VSM on $scene: from width 7 on it is more than twice as "
+      . 'wrong as PCF, and no nearer to the truth than hard shadows.'
+      : '';
 }
 
 # The techniques that imitate a light with an area, beside some that do not.
@@ -202,6 +212,61 @@ sub soft {
       . join( ', ',
         map { sprintf '%s %.4f', $_, $point{$_}{area_rmse} } @soft, @other )
       . '.';
+}
+
+# A scene's points as numbers: {from}, the width from which on VSM is faster
+# than PCF, undef where it is not at the {widest}; by width {faster}, how many
+# times as fast it is, and {wronger}, how many times as wrong; whether it is
+# {too_wrong}. Nothing where not both were measured.
+sub compared {
+    my @points   = @_;
+    my @pairs    = pairs(@points) or return;
+    my $crossing = crossing(@pairs);
+    my %wronger;
+    for my $pair (@pairs) {
+        my ( $pcf, $vsm ) = map { $pair->{$_}{footprint_rmse} } qw(pcf vsm);
+        $wronger{ $pair->{width} } = $vsm / $pcf if defined $vsm && $pcf;
+    }
+    return {
+          from => !defined $crossing ? undef
+        : $crossing ? next_width($crossing)
+        : $pairs[0]{width},
+        widest    => $pairs[-1]{width},
+        faster    => { map { $_->{width} => $_->{factor} } @pairs },
+        wronger   => \%wronger,
+        too_wrong => too_wrong( \@points, @pairs ),
+    };
+}
+
+sub from_to {
+    my @words = @_;
+    return $words[0] eq $words[-1] ? $words[0] : "$words[0] to $words[-1]";
+}
+
+# What the scenes say together: [name, what was compared] each.
+sub in_short {
+    my @scenes = @_ or return;
+    my @from   = sort { $a <=> $b } map { $_->[1]{from} // () } @scenes;
+    my @never  = map  { defined $_->[1]{from} ? ()      : $_->[0] } @scenes;
+    my @bad    = map  { $_->[1]{too_wrong}    ? $_->[0] : () } @scenes;
+    my @faster = map {
+        my $width = $_;
+        my @factors =
+          sort { $a <=> $b } map { $_->[1]{faster}{$width} // () } @scenes;
+        @factors
+          ? from_to( map { factor($_) } @factors ) . " times as fast at $width"
+          : ()
+    } 15, 31;
+    return (
+        @from ? 'VSM overtakes PCF at width ' . from_to(@from) . '.' : (),
+        @never
+        ? 'It does not on '
+          . enumerated(@never)
+          . ", up to $scenes[0][1]{widest}."
+        : (),
+        @faster ? 'It is ' . enumerated(@faster) . '.'          : (),
+        @bad    ? 'Do not use VSM on ' . enumerated(@bad) . '.' : (),
+    );
 }
 
 # Sentences about a scene's points.

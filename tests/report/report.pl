@@ -20,12 +20,15 @@ use lib $FindBin::Bin, "$FindBin::Bin/../lib";
 use File::Path qw(make_path);
 use JSON::PP   ();
 use POSIX      qw(strftime);
+use Text::Wrap qw(wrap);
 use VSM;
 use Columns qw(@COLUMNS csv);
+use Html    qw(names_of);
 use Judge   qw(claims mark_front outcome);
 use Measure qw(measure processors);
 use Page    qw(page);
 use Sweep   qw(mode sweep);
+use Verdict qw(verdict);
 
 my $folder = $ENV{REPORT_OUT} // root() . '/out/report';
 
@@ -100,6 +103,17 @@ sub print_table {
     return;
 }
 
+sub print_verdicts {
+    my @points = @_;
+    my @scenes = names_of( 'scene', @points );
+    for my $scene (@scenes) {
+        my @own = grep { $_->{scene} eq $scene } @points;
+        print wrap( '', '    ', join ' ', "$scene:", verdict( $scene, @own ) ),
+          "\n";
+    }
+    return;
+}
+
 sub print_claims {
     my @claims = @_;
     print outcome($_), ' ', $_->{text}, "\n" for @claims;
@@ -164,6 +178,7 @@ sub main {
     my @claims  = claims(@$points);
     my @missing = grep { $_->{missing} } @$points;
     print_table( $mode->{size}, @$points );
+    print_verdicts(@$points);
     print_claims(@claims);
     print_missing(@missing);
     my @problems = write_results( $mode, $points, $left_out, \@claims );
@@ -175,7 +190,7 @@ sub main {
     return grep( { outcome($_) eq 'FAILS' } @claims ) ? 1 : 0;
 }
 
-$| = 1;
+$|            = 1;
 $VSM::SECONDS = 600;    # for one command, on a machine as busy as it may be
 my $status = eval { main() };
 print STDERR "report: $@" unless defined $status;

@@ -33,6 +33,17 @@ unlike( $page, qr/\{\{/, 'no gap in the template is left open' );
 
 my $browser = Browser->new( 1280, 900 );
 $browser->open_file("$folder/index.html");
+my $LOADED = <<'END';
+return performance.getEntriesByType("resource").map((entry) => entry.name)
+    .filter((name) => !name.startsWith("data:"));
+END
+is( "@{ $browser->js($LOADED) }", '', 'the page asks for nothing else' );
+
+# --- in short ----------------------------------------------------------------
+
+my $SHORT = 'return Array.from(document.querySelectorAll("#short tbody tr"),'
+  . '(row) => row.cells[0].textContent)';
+is( "@{ $browser->js($SHORT) }", 'edge', 'the scenes in short' );
 
 # --- the table ---------------------------------------------------------------
 

@@ -11,7 +11,8 @@ use Columns qw(@COLUMNS csv);
 use Judge   qw(claims mark_front outcome ratio);
 use Plot    qw(stair work_precision);
 use Sweep   qw(mode sweep);
-use Verdict qw(verdict crossing);
+use Html    qw(number);
+use Verdict qw(verdict compared in_short);
 
 # A point: its label, milliseconds round by round, error.
 sub point {
@@ -168,7 +169,7 @@ unlike( $says->( @pcf, point( 'hard', [5], 0.03 ), vsm( 25, 0.025 ) ),
     qr/Do not/, 'more than twice PCF, but nearer than hard: no warning' );
 like(
     $says->( @pcf, @hard, vsm( 25, 0.03 ) ),
-    qr/Do not use VSM on teapot\.$/,
+    qr/Do not use VSM on teapot: [^.]*\.$/,
     'worse than hard, and than twice PCF'
 );
 unlike(
@@ -178,6 +179,48 @@ unlike(
     ),
     qr/Do not/,
     'one setting that works: no warning'
+);
+
+# --- all scenes together -----------------------------------------------------
+
+my $short = sub {
+    my %scenes = @_;
+    return join ' ',
+      in_short(
+        map { [ $_ => compared( @{ $scenes{$_} } ) ] }
+        sort keys %scenes
+      );
+};
+is_deeply(
+    compared( @pcf, @hard, vsm( 26, 0.03 ) ),
+    {
+        from      => 7,
+        widest    => 31,
+        faster    => { map { $_ => $_**2 / 26 } @widths },
+        wronger   => { map { $_ => 3 } @widths },
+        too_wrong => 1,
+    },
+    'a scene in numbers'
+);
+is( compared(@pcf), undef, 'without VSM there is nothing to compare' );
+is(
+    $short->(
+        one   => [ @pcf, @hard, vsm( 26, 0.03 ) ],
+        two   => [ @pcf, vsm( 1,   0.01 ) ],
+        three => [ @pcf, vsm( 450, 0.01 ) ],
+        never => [ @pcf, vsm( 961, 0.01 ) ],
+    ),
+    'VSM overtakes PCF at width 3 to 23. It does not on never, up to 31. '
+      . 'It is 0.2 to 225 times as fast at 15 and 1.0 to 961 times as fast at '
+      . '31. Do not use VSM on one.',
+    'scenes in short'
+);
+is(
+    join( ' ',
+        map { number(@$_) } [0.02346],
+        [2.346], [234.6], [2345], [0.00012], [0], [''], [ 2.346, 2 ] ),
+    '0.0235 2.35 235 2345 1.2e-04 0  2.3',
+    'numbers: their digits'
 );
 
 # --- the front ---------------------------------------------------------------
