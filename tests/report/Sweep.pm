@@ -124,7 +124,7 @@ sub points_of {
     my @widths =
       grep { chosen( $mode->{widths}, $_ ) } @{ $technique->{widths} };
     my @points = map { point( $mode, $technique, $scene, $_ ) } @widths;
-    return @points if $mode->{name} ne 'full';
+    return @points if $mode->{why};    # not of the full report
     my $maps = $technique->{maps}{ $scene->{name} } // {};
     for my $map ( sort { $a <=> $b } keys %$maps ) {
         push @points,
@@ -180,9 +180,9 @@ sub left_out {
     unshift @more,
       [
         'every other scene, technique and width',
-        "REPORT=$mode->{name} is for a first look"
+        "REPORT=$mode->{name} $mode->{why}"
       ]
-      if $mode->{name} ne 'full';
+      if $mode->{why};
     push @list,
       map { { what => $_->[0], scenes => [], reason => $_->[1] } } @more;
     return \@list;

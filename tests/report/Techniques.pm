@@ -11,26 +11,39 @@ our @EXPORT_OK = qw(%MODES @SCENES $MAP @TECHNIQUES @EXCLUDED $NOT_MEASURED);
 
 # size: of the picture. rays: of each average of the truth, a square number.
 # rounds: in each, every program runs once, for so many frames after its
-# warm-up. scenes, techniques, widths: only these; map: in place of $MAP.
+# warm-up. scenes, techniques, widths: only these; map: in place of $MAP; why:
+# that is so.
+my @PLAIN = qw(hard PCF VSM);
 our %MODES = (
     full  => { size => '640x360', rays => 256, rounds => 3, frames => 11 },
     quick => {
         size       => '640x360',
-        rays       => 256,
+        rays       => 100,
         rounds     => 3,
         frames     => 5,
         scenes     => [qw(teapot edge thin)],
-        techniques => [qw(hard PCF VSM)],
+        techniques => \@PLAIN,
+        why        => 'is for a first look',
     },
-    tiny => {    # for the tests of the report itself
+    headline => {
+        size       => '640x360',
+        rays       => 256,
+        rounds     => 3,
+        frames     => 11,
+        scenes     => ['teapot'],
+        techniques => \@PLAIN,
+        why        => 'is for the diagram on the first page',
+    },
+    tiny => {
         size       => '160x90',
         rays       => 16,
         rounds     => 1,
         frames     => 1,
-        scenes     => [qw(edge)],
-        techniques => [qw(hard PCF VSM)],
+        scenes     => ['edge'],
+        techniques => \@PLAIN,
         widths     => [ 1, 3, 7 ],
         map        => 128,
+        why        => 'is for the tests of the report itself',
     },
 );
 

@@ -5,7 +5,8 @@
 #     results.csv    a row per point; Columns.pm says what a column means
 #     results.json   the machine, the drivers, what was left out, the columns
 #     kept/          what was measured, by what it depends on
-# REPORT=quick takes 2 minutes, for a first look; REPORT=tiny is for tests.
+# REPORT=quick takes 2 minutes, for a first look; REPORT=headline measures what
+# headline.sh draws, REPORT=tiny is for tests.
 #
 # The programs take turns: each runs once per round, so that a slow minute of
 # the machine hits all of them alike. Ctrl-C ends the measuring; the next run

@@ -88,7 +88,7 @@ ok(
     ),
     'the environment is known'
 );
-ok( ( grep { $_->{reason} =~ /first look/ } @{ $about->{left_out} } ),
+ok( ( grep { $_->{reason} =~ /REPORT=tiny is for/ } @{ $about->{left_out} } ),
     'it says that this is not all' );
 
 # The links of a point's error add up: their means to the mean of all. Seven
@@ -214,7 +214,8 @@ is( files_of('none'), '', 'no room at all: no part of a file is left' );
     my $run = command( $^X, root() . '/tests/report/report.pl' );
     is(
         "$run->{status} $run->{err}",
-        "2 report: REPORT=everything: one of full, quick, tiny is needed\n",
+        "2 report: REPORT=everything: one of full, headline, quick, "
+          . "tiny is needed\n",
         'an unknown mode is refused'
     );
 }
