@@ -183,6 +183,13 @@ sub filled {
     return $template =~ s/\{\{(\w+)\}\}/$value{$1} \/\/ die "no $1\n"/ger;
 }
 
+# An edge crosses as many of the strata as they are along a side, and the share
+# of each is then a ray's, 0 or 1: a variance of up to 1/4.
+sub noise {
+    my ($rays) = @_;
+    return sqrt( sqrt($rays) / 4 ) / $rays;
+}
+
 # The whole page, and the problems in making it. report: points, environment,
 # left_out, claims.
 sub page {
@@ -207,6 +214,8 @@ sub page {
                 "$about->{cpu}, $about->{cores} cores, $about->{gl_renderer}; "
               . "pictures of $about->{picture}; $about->{date}"
         ),
+        rays    => $about->{rays},
+        noise   => number( noise( $about->{rays} ), 2 ),
         missing => missing_list(@points),
         short   => short_section(@compared),
         clock   => escaped( $about->{clock} ),

@@ -29,6 +29,7 @@ my $bare = $page =~ s/data:image[^"]*//gr;
 my @outside =
   grep { !m{^http://www\.w3\.org/} } $bare =~ m{((?:https?:)?//[^\s"'<>)]+)}g;
 is( "@outside", '', 'the page names nothing that is elsewhere' );
+like( $page, qr/off by\s0\.062 in a pixel/, 'sqrt(4 / 4) / 16 of 16 rays' );
 unlike( $page, qr/\{\{/, 'no gap in the template is left open' );
 
 my $browser = Browser->new( 1280, 900 );
