@@ -45,6 +45,7 @@ static void look(void)
     views_fit(&state.views, &state.scene, &state.base, REACH);
     facts_collect(&state.facts, &state.scene, &state.views, &state.base);
     bias_plan(&state.bias, &state.facts, 1, GL_R32F);
+    bias_plan_behind(&state.bias, &state.facts);
     map_plan_decide_within(&state.plan, &state.facts, REACH, "depth", GL_R32F);
 }
 

@@ -1,6 +1,6 @@
 #include "step1_shadowmap/map_plan.h"
 
-#include <string.h> // memset
+#include <stdio.h> // snprintf
 
 // Fowler, Noll and Vo's hash, 64 bits: a change that it misses is once in
 // 2^64.
@@ -42,15 +42,20 @@ static void add_row(const LayerPlan *layer, int number, Facts *facts,
     const int *size = facts->size;
     size_t all = (size_t)size[0] * (size_t)size[1];
     size_t saved = all - rect_texels(&layer->rect);
+    char behind[48] = "";
+    if (layer->behind > 0) {
+        snprintf(behind, sizeof behind, "; %d behind all receivers",
+                 layer->behind);
+    }
     if (rect_is_empty(&layer->rect)) {
         plan_add(&facts->plan, pass, number, false, saved, texel_bytes,
                  "nothing looks it up");
     } else {
         plan_add(&facts->plan, pass, number, true, saved, texel_bytes,
-                 "%dx%d of %dx%d texels are read; %d of %d objects",
+                 "%dx%d of %dx%d texels are read; %d of %d objects%s",
                  layer->rect.high[0] - layer->rect.low[0],
                  layer->rect.high[1] - layer->rect.low[1], size[0], size[1],
-                 layer->list.count, facts->scene->object_count);
+                 layer->list.count, facts->scene->object_count, behind);
     }
 }
 
@@ -66,7 +71,8 @@ void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
         LayerPlan *layer = &plan->layers[i];
         layer->rect = needed[i];
         layer->looked_up = facts_looked_up(facts, i);
-        facts_list_casters(&layer->list, facts, i, &layer->rect);
+        layer->behind =
+            facts_list_casters(&layer->list, facts, i, &layer->rect);
         layer->stamp = stamp_layer(facts, i, &layer->list);
         add_row(layer, i, facts, pass, gl_texel_bytes(format));
     }

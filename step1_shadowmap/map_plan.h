@@ -10,6 +10,7 @@
 typedef struct LayerPlan {
     Rect rect;      // the texels that are drawn; empty: the layer is left out
     DrawList list;  // the objects that are drawn into them
+    int behind;     // objects that are left out, see facts_list_casters
     bool draw;      // in this frame, see map_plan_begin
     Rect looked_up; // by receivers
     // What the texels are made from (see stamp_layer()); and this and that when

@@ -52,6 +52,12 @@ void bias_plan(const BiasSettings *settings, Facts *facts, int kernel,
     }
 }
 
+void bias_plan_behind(const BiasSettings *settings, Facts *facts)
+{
+    facts->compared =
+        settings->constant >= 0 && settings->slope >= 0 && !facts->whole;
+}
+
 Program shadow_map_program(ShaderFiles files, const char *const shaders[])
 {
     const char *const vertex[] = {"step1_shadowmap/shaders/centre_out.glsl",

@@ -28,6 +28,11 @@ void bias_apply(const BiasSettings *settings, GLuint program);
 void bias_plan(const BiasSettings *settings, Facts *facts, int kernel,
                GLenum format);
 
+// What is behind all receivers is left out: where each depth is compared by
+// itself it says "lit", as the empty map does. A bias must not push receivers
+// behind it.
+void bias_plan_behind(const BiasSettings *settings, Facts *facts);
+
 typedef struct ShadowMap {
     Program program;
     GLuint texture; // 2D array, a layer per view

@@ -82,6 +82,7 @@ void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
     if (!uses_disc(settings) && !settings->bilinear && !settings->adaptive) {
         bias_plan(bias, facts, settings->kernel, GL_R32F);
     }
+    bias_plan_behind(bias, facts);
 }
 
 void pcf_apply(const PcfSettings *settings, GLuint program)

@@ -30,8 +30,8 @@ void pcf_shaders(const PcfSettings *settings, const char *files[]);
 // How many texels the filter reads to each side of the receiver's own.
 int pcf_reach(const PcfSettings *settings);
 
-// bias_plan of a full grid of taps; no other pattern is known to keep a plane
-// lit.
+// bias_plan of a full grid of taps, for no other pattern is known to keep a
+// plane lit; bias_plan_behind of any.
 void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
               Facts *facts);
 

@@ -692,6 +692,17 @@ my %mutants = (
         'format', 'step5_chebyshev/half.c', 'return high - low < SAME',
         'return high - low < 2'
     ],
+    'a bias may push receivers behind what is left out' => [
+        'plan', 'step1_shadowmap/shadow_map.c', 'settings->constant >= 0 &&',
+        ''
+    ],
+    'what is behind some receiver is left out' => [
+        'plan', 'step1_shadowmap/base/facts.c',
+        'facts->layers[layer].deepest +', '0.5 * facts->layers[layer].deepest -'
+    ],
+    'moments without what is behind all receivers' => [
+        'plan', 'step1_shadowmap/base/facts.c', 'facts->compared &&', ''
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

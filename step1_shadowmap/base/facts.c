@@ -1,7 +1,8 @@
 #include "step1_shadowmap/base/facts.h"
 
-#include <math.h> // INFINITY
+#include <math.h> // fmin, sqrt, INFINITY
 
+#include "step1_shadowmap/base/dvec.h"   // dvec_dot, dvec_subtract
 #include "step1_shadowmap/base/volume.h" // volume_of_texels
 
 static void find_receivers(Facts *facts, const int picture[2])
@@ -88,12 +89,41 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
     plan_add(&facts->plan, "lookup", -1, facts->lookups, 0, 0, "%s", why);
 }
 
-void facts_list_casters(DrawList *list, const Facts *facts, int layer,
-                        const Rect *texels)
+// The least t of what is in a box, or somewhat less.
+static double nearest(const Views *views, int layer, double corners[8][3])
+{
+    double middle[3] = {0, 0, 0}, away[3], least = INFINITY;
+    for (int i = 0; i < 8; i++) {
+        least = fmin(least, view_light_depth(views, layer, corners[i]));
+        for (int k = 0; k < 3; k++) {
+            middle[k] += corners[i][k] / 8;
+        }
+    }
+    if (views->light_position[3] == 0) {
+        return least;
+    }
+    // A distance may be least between the corners.
+    dvec_subtract(corners[0], middle, away);
+    return view_light_depth(views, layer, middle) -
+           view_light_steepest(views, layer) * sqrt(dvec_dot(away, away));
+}
+
+// Of t, in a map and in the picture.
+#define ROUNDING 1e-5
+
+static bool is_behind(const Facts *facts, int layer, double corners[8][3])
+{
+    return facts->compared && nearest(facts->views, layer, corners) >
+                                  facts->layers[layer].deepest + ROUNDING;
+}
+
+int facts_list_casters(DrawList *list, const Facts *facts, int layer,
+                       const Rect *texels)
 {
     const Views *views = facts->views;
     const DrawList *seen = &views->light[layer].seen;
     double low[2], high[2];
+    int behind = 0;
     list->count = 0;
     for (int axis = 0; axis < 2; axis++) {
         low[axis] = (texels->low[axis] - 1.0) / facts->size[axis];
@@ -104,8 +134,14 @@ void facts_list_casters(DrawList *list, const Facts *facts, int layer,
         double corners[8][3];
         volume_object_box(&facts->scene->objects[seen->objects[i]],
                           views->origin, corners);
-        if (facts->whole || !volume_misses(&volume, corners)) {
+        if (!facts->whole && volume_misses(&volume, corners)) {
+            continue;
+        }
+        if (is_behind(facts, layer, corners)) {
+            behind++;
+        } else {
             list->objects[list->count++] = seen->objects[i];
         }
     }
+    return behind;
 }

@@ -16,14 +16,16 @@ typedef struct Facts {
     const BaseSettings *settings;
     LayerFacts layers[VIEW_MAX_LAYERS];
     int layer_count;
-    int size[2];  // of the map, texels
-    bool lookups; // some layer has receivers
-    bool later;   // it may have them in a later frame, with another camera
-    bool dumped;  // whole maps are wanted, looked up or not
-    bool redraw;  // the maps are wanted anew in every frame
-    bool whole;   // nothing is to be left out: every layer is looked up
-                  // everywhere
-    Plan plan;    // what has been decided from the facts
+    int size[2];   // of the map, texels
+    bool lookups;  // some layer has receivers
+    bool later;    // it may have them in a later frame, with another camera
+    bool dumped;   // whole maps are wanted, looked up or not
+    bool redraw;   // the maps are wanted anew in every frame
+    bool compared; // each depth by itself: what is behind all receivers is as
+                   // good as nothing
+    bool whole;    // nothing is to be left out: every layer is looked up
+                   // everywhere
+    Plan plan;     // what has been decided from the facts
 } Facts;
 
 // The scene, the views and the settings have to stay where they are. With
@@ -47,8 +49,8 @@ Rect facts_looked_up(const Facts *facts, int layer);
 void facts_look_everywhere(Facts *facts);
 
 // The objects on the layer's list whose outline in the map may cover one of
-// these texels.
-void facts_list_casters(DrawList *list, const Facts *facts, int layer,
-                        const Rect *texels);
+// these texels. Returns how many more would, but are behind all receivers.
+int facts_list_casters(DrawList *list, const Facts *facts, int layer,
+                       const Rect *texels);
 
 #endif

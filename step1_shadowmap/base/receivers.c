@@ -140,6 +140,21 @@ static double rounding_texels(const Views *views, int layer, double patch_size,
     return most;
 }
 
+// By how much what a pixel shows of the patch can be deeper than its corner,
+// rounding included.
+static double snap_depth(const Collector *all, const Patch *patch, int layer,
+                         const double corner[3])
+{
+    double steps[2][3], way = ROUNDINGS * patch->size;
+    if (!snap_steps(all, patch, corner, steps)) {
+        return NOWHERE;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        way += sqrt(dvec_dot(steps[axis], steps[axis]));
+    }
+    return view_light_steepest(all->views, layer) * way;
+}
+
 static void include_patch(Collector *all, const Patch *patch, int layer)
 {
     Patch part = *patch;
@@ -153,7 +168,8 @@ static void include_patch(Collector *all, const Patch *patch, int layer)
             rounding_texels(all->views, layer, patch->size, texel, w);
         margin = isfinite(margin) ? margin : NOWHERE;
         include(all, layer, texel, margin,
-                view_light_depth(all->views, layer, corner));
+                view_light_depth(all->views, layer, corner) +
+                    snap_depth(all, patch, layer, corner));
     }
 }
 

@@ -11,7 +11,7 @@
 typedef struct LayerFacts {
     Rect looked_up; // the texels that receivers lie in, and some around them
                     // for rounding; empty: none does
-    double deepest; // the largest t of a receiver; no less than it is
+    double deepest; // the largest t of a receiver, or somewhat more
 } LayerFacts;
 
 // Of each layer, for a picture of so many pixels.

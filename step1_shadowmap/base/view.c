@@ -125,6 +125,12 @@ double view_light_depth(const Views *views, int layer, const double position[3])
            views->depth_per_distance * sqrt(dvec_dot(away, away));
 }
 
+double view_light_steepest(const Views *views, int layer)
+{
+    const double *row = views->light[layer].depth_from_relative;
+    return sqrt(dvec_dot(row, row)) + views->depth_per_distance;
+}
+
 void view_set_matrix(GLuint program, const char *name,
                      const double matrix[4][4])
 {

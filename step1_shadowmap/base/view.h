@@ -62,6 +62,9 @@ void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
 double view_light_depth(const Views *views, int layer,
                         const double position[3]);
 
+// By how much t changes along a way in space, at most; per world unit.
+double view_light_steepest(const Views *views, int layer);
+
 // Rounds a matrix to single precision and sets a mat4 uniform of the program.
 void view_set_matrix(GLuint program, const char *name,
                      const double matrix[4][4]);

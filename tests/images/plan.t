@@ -48,6 +48,24 @@ for ( [ '<', 97 ], [ '==', 97, '--keep-all' ] ) {
         "avenue:turn=40 @options: objects drawn, of $all" );
 }
 
+# Steps 1 and 2 do not draw the floor below all that the camera sees. Moments
+# need it, and so does a bias that pushes what is seen behind it.
+for (
+    [ 1, 1 ], [ 2, 1 ], [ 3, 0 ],
+    [ 1, 0, '--bias',       '-0.5' ],
+    [ 2, 0, '--slope-bias', '-30' ],
+    [ 1, 0, '--keep-all' ]
+  )
+{
+    my ( $step, $behind, @options ) = @$_;
+    my $run = run_warm( $step, @small, qw(--scene avenue:tilt=30 --plan),
+        '--output', tempdir( CLEANUP => 1 ) . '/a.png', @options );
+    is( scalar( $run->{out} =~ /; \d+ behind all receivers$/m ) || 0,
+        $behind, "step $step @options: behind all receivers" );
+    same_pixels( $step, qw(--scene avenue:tilt=30), @options )
+      unless "@options" =~ /keep/;
+}
+
 # A plane alone is not looked up; where it can shadow itself it is: without a
 # bias or with a negative one, and where it hardly varies across the filter.
 for my $step ( 1 .. 5 ) {
