@@ -76,6 +76,11 @@ void map_plan_decide(MapPlan *plan, Facts *facts, const Rect needed[],
         layer->stamp = stamp_layer(facts, i, &layer->list);
         add_row(layer, i, facts, pass, gl_texel_bytes(format));
     }
+    bool again = plan->lookups && plan->always;
+    plan_add(&facts->plan, "maps in later frames", -1, again, 0, 0, "%s",
+             !plan->lookups ? "there are none"
+             : again        ? "--redraw or --keep-all"
+                     : "only where light, casters or views have changed");
 }
 
 void map_plan_decide_within(MapPlan *plan, Facts *facts, int reach,

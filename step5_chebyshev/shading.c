@@ -273,7 +273,7 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
 }
 
 SceneDraw shading_picture(const ShadingSettings *settings,
-                          const BaseSettings *base, const Facts *facts)
+                          const BaseSettings *base, Facts *facts)
 {
     const char *visibility[SHADING_MAX_SHADERS];
     shading_shaders(settings, visibility);

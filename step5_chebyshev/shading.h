@@ -50,7 +50,7 @@ void shading_shaders(const ShadingSettings *settings, const char *files[]);
 // The picture that these files and the scene's light make, see
 // scene_draw_create.
 SceneDraw shading_picture(const ShadingSettings *settings,
-                          const BaseSettings *base, const Facts *facts);
+                          const BaseSettings *base, Facts *facts);
 
 // Sets the uniforms of these files, but those of the filter's own lookup.
 void shading_apply(const ShadingSettings *settings, const Blur *filter,

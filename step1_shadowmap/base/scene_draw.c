@@ -127,7 +127,7 @@ static void create_framebuffer(SceneDraw *draw)
     touch(&draw->touched, (size_t)draw->width * (size_t)draw->height, bytes);
 }
 
-SceneDraw scene_draw_create(const BaseSettings *settings, const Facts *facts,
+SceneDraw scene_draw_create(const BaseSettings *settings, Facts *facts,
                             const char *const visibility[])
 {
     return scene_draw_create_from(&scene_source_drawn, settings, facts,
@@ -135,8 +135,7 @@ SceneDraw scene_draw_create(const BaseSettings *settings, const Facts *facts,
 }
 
 SceneDraw scene_draw_create_from(const SceneSource *source,
-                                 const BaseSettings *settings,
-                                 const Facts *facts,
+                                 const BaseSettings *settings, Facts *facts,
                                  const char *const visibility[])
 {
     static const char *const unshadowed[] = {
@@ -148,6 +147,9 @@ SceneDraw scene_draw_create_from(const SceneSource *source,
     SceneDraw draw = {.footprint = uses_footprint(visibility),
                       .width = settings->size[0],
                       .height = settings->size[1]};
+    plan_add(&facts->plan, "derivatives", -1, draw.footprint, 0, 0, "%s",
+             draw.footprint ? "lookups as wide as a pixel is in the map"
+                            : "no lookup asks how wide a pixel is in the map");
     choose_outputs(&draw, settings);
     draw.program =
         create_program(source, settings, facts->scene->light.kind, visibility);

@@ -43,15 +43,15 @@ typedef struct SceneDraw {
 // `visibility` lists the fragment shader files (NULL at the end) that define
 // float visibility(Receiver); they are compiled together with step 1's
 // scene.frag. Where the facts say that nothing is looked up they are left out:
-// the visibility is 1 wherever a surface faces the light. With --dump the
+// the visibility is 1 wherever a surface faces the light. Adds a row to the
+// plan: whether derivatives across the screen are taken. With --dump the
 // picture has the further outputs that scene_draw_dump writes.
-SceneDraw scene_draw_create(const BaseSettings *settings, const Facts *facts,
+SceneDraw scene_draw_create(const BaseSettings *settings, Facts *facts,
                             const char *const visibility[]);
 
 // The same from another source.
 SceneDraw scene_draw_create_from(const SceneSource *source,
-                                 const BaseSettings *settings,
-                                 const Facts *facts,
+                                 const BaseSettings *settings, Facts *facts,
                                  const char *const visibility[]);
 
 // Draws one frame with `map` (a 2D array texture) as the shader's shadow_map.

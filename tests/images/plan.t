@@ -48,6 +48,28 @@ for ( [ '<', 97 ], [ '==', 97, '--keep-all' ] ) {
         "avenue:turn=40 @options: objects drawn, of $all" );
 }
 
+# What else is kept or left out, and why.
+for (
+    [ 1, 'derivatives',          'left out' ],
+    [ 2, 'derivatives',          'kept', '--adaptive' ],
+    [ 5, 'derivatives',          'kept', '--mips' ],
+    [ 5, 'maps in later frames', 'left out' ],
+    [ 5, 'maps in later frames', 'kept', '--redraw' ],
+    [ 5, 'G-buffer',             'left out' ],
+    [ 5, 'G-buffer',             'kept', '--deferred' ],
+    [ 5, 'summed-area table',    'kept', '--sat' ],
+    [ 5, 'blur',                 'left out', '--sat' ],
+    [ 5, 'blur',                 'left out', qw(--radius 0) ],
+    [ 4, 'mip-map levels',       'left out' ],
+  )
+{
+    my ( $step, $pass, $decision, @options ) = @$_;
+    my $run = run_warm( $step, @small, '--plan', '--output',
+        tempdir( CLEANUP => 1 ) . '/a.png', @options );
+    like( $run->{out}, qr/^\Q$pass\E +$decision +\d+ +\d+  \S/m,
+        "step $step @options: $pass is $decision" );
+}
+
 # Steps 1 and 2 do not draw the floor below all that the camera sees. Moments
 # need it, and so does a bias that pushes what is seen behind it.
 for (
