@@ -4,12 +4,49 @@
 #include "step1_shadowmap/base/dvec.h"       // dvec_copy, dvec_dot, dvec_frame
 #include "step1_shadowmap/base/light_view.h" // fit_directional
 #include "step1_shadowmap/base/region.h"     // region_include_scene
+#include "step1_shadowmap/base/volume.h"     // volume_object_box
 
 static void include_point(LightFrame *frame, const double point[3])
 {
     for (int axis = 0; axis < 3; axis++) {
         frame->low[axis] = fmin(frame->low[axis], point[axis]);
         frame->high[axis] = fmax(frame->high[axis], point[axis]);
+    }
+}
+
+static bool holds_point(const LightFrame *frame, const double point[3])
+{
+    bool inside = true;
+    for (int axis = 0; axis < 3; axis++) {
+        inside = inside && point[axis] >= frame->low[axis] &&
+                 point[axis] <= frame->high[axis];
+    }
+    return inside;
+}
+
+// Of a mesh with many vertices its box may tell that it adds nothing.
+static bool holds_object(LightFrame *frame, const Object *object,
+                         const double origin[3])
+{
+    double corners[8][3], point[3];
+    bool inside = true;
+    volume_object_box(object, origin, corners);
+    for (int i = 0; i < 8; i++) {
+        frame_coordinates(frame->axes, corners[i], point);
+        inside = inside && holds_point(frame, point);
+    }
+    return inside;
+}
+
+static void include_object(LightFrame *frame, const Object *object,
+                           const double origin[3])
+{
+    for (size_t k = 0; k < object->mesh->vertex_count; k++) {
+        double relative[3];
+        double point[3];
+        vertex_relative(object, origin, k, relative);
+        frame_coordinates(frame->axes, relative, point);
+        include_point(frame, point);
     }
 }
 
@@ -28,14 +65,8 @@ void bound_casters(LightFrame *frame, const Scene *scene,
     }
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
-        for (size_t k = 0; k < object->mesh->vertex_count; k++) {
-            double relative[3];
-            double point[3];
-            vertex_relative(object, origin, k, relative);
-            frame_coordinates(axes, relative, point);
-            if (object->casts || !any) {
-                include_point(frame, point);
-            }
+        if ((object->casts || !any) && !holds_object(frame, object, origin)) {
+            include_object(frame, object, origin);
         }
     }
 }

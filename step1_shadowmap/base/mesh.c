@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/mesh.h"
 
-#include <math.h> // sin, cos
+#include <math.h> // cos, fmaxf, fminf, sin, INFINITY
 #include <stdbool.h>
 #include <stdlib.h> // free
 
@@ -278,6 +278,18 @@ Mesh mesh_teapot(int segments)
         }
     }
     return mesh;
+}
+
+void mesh_find_box(Mesh *mesh)
+{
+    for (int k = 0; k < 3; k++) {
+        mesh->low[k] = INFINITY;
+        mesh->high[k] = -INFINITY;
+        for (size_t i = 0; i < mesh->vertex_count; i++) {
+            mesh->low[k] = fminf(mesh->low[k], mesh->vertices[i].position[k]);
+            mesh->high[k] = fmaxf(mesh->high[k], mesh->vertices[i].position[k]);
+        }
+    }
 }
 
 void mesh_destroy(Mesh *mesh)

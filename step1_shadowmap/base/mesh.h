@@ -16,7 +16,11 @@ typedef struct Mesh {
     uint32_t *indices; // three per triangle, counter-clockwise from outside
     size_t vertex_count;
     size_t index_count;
+    float low[3], high[3]; // of the box around it, see mesh_find_box
 } Mesh;
+
+// Sets the box from the vertices.
+void mesh_find_box(Mesh *mesh);
 
 // A square of side 1 in the plane y = 0, centred at the origin, facing +y.
 Mesh mesh_plane(void);

@@ -11,6 +11,7 @@ const Mesh *scene_add_mesh(Scene *scene, Mesh mesh)
     if (scene->mesh_count == SCENE_MAX_MESHES) {
         die("more than %d meshes in a scene", SCENE_MAX_MESHES);
     }
+    mesh_find_box(&mesh);
     scene->meshes[scene->mesh_count] = mesh;
     return &scene->meshes[scene->mesh_count++];
 }

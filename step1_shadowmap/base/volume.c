@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/volume.h"
 
-#include <math.h> // fabs, fmax, fmin, INFINITY
+#include <math.h> // fabs
 
 #include "step1_shadowmap/base/dvec.h"    // dvec_dot
 #include "step1_shadowmap/base/polygon.h" // polygon_clip
@@ -123,21 +123,14 @@ void volume_object_box(const Object *object, const double origin[3],
                        double corners[8][3])
 {
     const Mesh *mesh = object->mesh;
-    double bounds[2][3] = {{INFINITY, INFINITY, INFINITY},
-                           {-INFINITY, -INFINITY, -INFINITY}};
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        for (int k = 0; k < 3; k++) {
-            double value = (double)mesh->vertices[i].position[k];
-            bounds[0][k] = fmin(bounds[0][k], value);
-            bounds[1][k] = fmax(bounds[1][k], value);
-        }
-    }
+    const float *bounds[2] = {mesh->low, mesh->high};
     for (int corner = 0; corner < 8; corner++) {
         for (int row = 0; row < 3; row++) {
             const double *m = object->transform[row];
             corners[corner][row] = m[3] - origin[row];
             for (int k = 0; k < 3; k++) {
-                corners[corner][row] += m[k] * bounds[corner >> k & 1][k];
+                corners[corner][row] +=
+                    m[k] * (double)bounds[corner >> k & 1][k];
             }
         }
     }
