@@ -74,10 +74,10 @@ typedef struct BlurTarget {
 
 typedef struct Blur {
     Program downsample_program; // none where there is no small map
-    Program blur_program;       // none where the radius is 0; fragments, or
-    bool running;               // running boxes in a compute shader
-    BlurSides filters[BLUR_MAX_FILTERS];
-    GLuint weights[BLUR_MAX_FILTERS]; // a row of texels; none for running ones
+    bool running; // the blur is of running boxes in compute shaders
+    BlurSides filters[BLUR_MAX_FILTERS]; // none where the radius is 0
+    char *constants[BLUR_MAX_FILTERS];   // of each one's program
+    Program blur_programs[BLUR_MAX_FILTERS];
     int filter_count;
     GLuint empty_vao;
     BlurTarget small;      // downsampled; with mips alone: copied

@@ -25,11 +25,10 @@ void running_box_apply(GLuint program, GLuint source, GLuint target,
                        const int sides[2])
 {
     glUseProgram(program);
-    glBindImageTexture(0, target, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RG32F);
+    glBindImageTexture(0, target, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32F);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, source);
     glUniform1i(glGetUniformLocation(program, "map"), 0);
-    glUniform2i(glGetUniformLocation(program, "sides"), sides[0], sides[1]);
     glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
     for (int layer = 0; layer < plan->layer_count; layer++) {
         const Rect *rect = &texels[layer];

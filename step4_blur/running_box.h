@@ -7,7 +7,8 @@
 #include "step3_moments/moments.h"    // MomentsSettings
 
 // Made of the moments' own way to merge them: no number is rounded more often
-// than where fragments add up the whole box.
+// than where fragments add up the whole box. The files' constants say how wide
+// that is, as the shader wants it.
 Program running_box_program(ShaderFiles files, const MomentsSettings *moments);
 
 // Fills these texels of the layers that the plan draws, by layer, and up to a

@@ -180,7 +180,7 @@ my %mutants = (
     ],
     'the wrong row of the kernel' => [
         'truths', 'step4_blur/shaders/blur.frag',
-        'ivec2(i + sides.x, 0)', 'ivec2(abs(i), 0)'
+        'weights[i + sides.x]', 'weights[abs(i)]'
     ],
     'the variance bias taken away' => [
         'step5', 'step5_chebyshev/shaders/visibility.glsl',
@@ -545,6 +545,18 @@ my %mutants = (
     'a running box that misses its own block' => [
         'boxes', 'step4_blur/shaders/running_box.comp',
         'merge_add_sums(box', '// merge_add_sums(box'
+    ],
+    'a running box that takes what another one kept' => [
+        'boxes', 'step4_blur/shaders/running_box.comp',
+        'before[width - 1 - i]', 'before[i]'
+    ],
+    'weights written with two digits' => [
+        'truths', 'step4_blur/blur.c', '%s%.9g', '%s%.2g'
+    ],
+    'the constants of one filter for all' => [
+        'boxes', 'step4_blur/blur.c',
+        'settings, blur->filters[i].sides, blur->running',
+        'settings, blur->filters[0].sides, blur->running'
     ],
     'a block that begins one texel late' => [
         'boxes', 'step4_blur/shaders/running_box.comp',

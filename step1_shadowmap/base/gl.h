@@ -19,9 +19,12 @@ void gl_load(GlLoader loader);
 
 // Where shader files are looked up: first below `directory` (NULL: nowhere),
 // then in the source tree. Names are paths from the tree's top, such as
-// "step1_shadowmap/shaders/scene.frag".
+// "step1_shadowmap/shaders/scene.frag". What the files take for constants, and
+// is known only at run time, is put in front of them: definitions in GLSL, or
+// NULL, which stay valid as long as the program.
 typedef struct ShaderFiles {
     const char *directory;
+    const char *constants;
 } ShaderFiles;
 
 enum { PROGRAM_MAX_FILES = 24 };

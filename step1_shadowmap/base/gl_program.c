@@ -88,24 +88,26 @@ static void explain_log(const char *log, const char *const files[],
 }
 
 // The shader, or 0 and the message.
-static GLuint compile_texts(GLenum type, const char *const files[], int count,
+static GLuint compile_texts(GLenum type, const char *constants,
+                            const char *const files[], int count,
                             char *const texts[], char *message)
 {
     // The line in front of a file numbers its lines so that they name the file
     // too. (The number of the source string, meant for that, is lost by Mesa in
     // most of its messages.)
-    const char *version =
-        type == GL_COMPUTE_SHADER ? "#version 430 core" : "#version 330 core";
-    char before[PROGRAM_MAX_FILES][48];
-    const char *sources[2 * PROGRAM_MAX_FILES];
+    char before[PROGRAM_MAX_FILES][24];
+    const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {
+        type == GL_COMPUTE_SHADER ? "#version 430 core\n"
+                                  : "#version 330 core\n",
+        constants == NULL ? "" : constants};
     for (int i = 0; i < count; i++) {
-        snprintf(before[i], sizeof before[i], "%s\n#line %d\n",
-                 i == 0 ? version : "", i * LINES_PER_FILE + 1);
-        sources[2 * i] = before[i];
-        sources[2 * i + 1] = texts[i];
+        snprintf(before[i], sizeof before[i], "\n#line %d\n",
+                 i * LINES_PER_FILE + 1);
+        sources[2 + 2 * i] = before[i];
+        sources[3 + 2 * i] = texts[i];
     }
     GLuint shader = glCreateShader(type);
-    glShaderSource(shader, 2 * count, sources, NULL);
+    glShaderSource(shader, 2 + 2 * count, sources, NULL);
     glCompileShader(shader);
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -131,7 +133,8 @@ static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
         complete = texts[count++] != NULL;
     }
     if (complete) {
-        shader = compile_texts(type, files, count, texts, message);
+        shader =
+            compile_texts(type, where.constants, files, count, texts, message);
     }
     for (int i = 0; i < count; i++) {
         free(texts[i]);

@@ -12,9 +12,12 @@
 
 layout(local_size_x = 64) in;
 
-layout(rg32f) uniform image2DArray blurred;
+// blur.c puts in front, as a constant: const ivec2 sides, the texels before and
+// after the one in the middle.
+const int width = sides.x + 1 + sides.y;
+
+layout(rg32f) writeonly uniform image2DArray blurred;
 uniform ivec2 axis;   // (1, 0) along u, (0, 1) along v
-uniform ivec2 sides;  // texels before and after the one in the middle
 uniform ivec2 lines;  // from the first one up to, not including, another
 uniform ivec2 middles;  // from the first block's start to where boxes' middles
                         // end
@@ -22,6 +25,8 @@ uniform ivec2 middles;  // from the first block's start to where boxes' middles
 // What lies along one line.
 int line = lines.x + int(gl_GlobalInvocationID.x);
 int last;  // texel of it
+
+vec2 before[width];  // of a block's boxes, what lies before its start
 
 ivec3 place(int along)
 {
@@ -38,33 +43,28 @@ vec2 line_texel(int along)
     return inside(along) ? texelFetch(map, place(along), 0).rg : far_moments;
 }
 
-// Keeps, in the middle of the box that begins there, the sum of all from
-// `start - i` on that come before start.
+// Keeps, for the box that begins i before start, the sum of all up to start.
 void sum_before(int start, vec2 first)
 {
     Merge sum = merge_about(first);
-    for (int i = 0; i <= sides.x + sides.y; i++) {
-        int middle = start - i + sides.x;
-        if (i > 0) {
-            merge_add(sum, 1.0, line_texel(start - i));
-        }
-        if (inside(middle)) {
-            imageStore(blurred, place(middle), merge_sums(sum).xyxy);
-        }
+    before[0] = merge_sums(sum);
+    for (int i = 1; i < width; i++) {
+        merge_add(sum, 1.0, line_texel(start - i));
+        before[i] = merge_sums(sum);
     }
 }
 
-// Adds all from start to the end of each box.
+// Adds all from start to the end of each box, which is i behind start.
 void sum_after(int start, vec2 first)
 {
     Merge sum = merge_about(first);
-    for (int i = 0; i <= sides.x + sides.y; i++) {
+    for (int i = 0; i < width; i++) {
         int middle = start + i - sides.y;
         merge_add(sum, 1.0, line_texel(start + i));
         if (inside(middle)) {
             Merge box = sum;
-            merge_add_sums(box, imageLoad(blurred, place(middle)).rg);
-            vec2 moments = merge_end(box, float(sides.x + 1 + sides.y));
+            merge_add_sums(box, before[width - 1 - i]);
+            vec2 moments = merge_end(box, float(width));
             imageStore(blurred, place(middle), moments.xyxy);
         }
     }
@@ -77,7 +77,6 @@ void main()
     if (line >= lines.y) {
         return;
     }
-    int width = sides.x + 1 + sides.y;
     int start = middles.x;
     for (; start - sides.y < middles.y; start += width) {
         vec2 first = line_texel(start);
