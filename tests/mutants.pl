@@ -542,6 +542,10 @@ my %mutants = (
         'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
+    'a face of a point light that is never looked up' => [
+        'lights', 'step1_shadowmap/shaders/layer_face.glsl',
+        'layers = 6', 'layers = 3'
+    ],
     'a running box that misses its own block' => [
         'boxes', 'step4_blur/shaders/running_box.comp',
         'merge_add_sums(box', '// merge_add_sums(box'

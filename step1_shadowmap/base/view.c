@@ -152,7 +152,8 @@ void view_set_light(GLuint program, const Views *views)
     set_vector(program, "light_position", views->light_position);
     glUniform1f(glGetUniformLocation(program, "depth_per_distance"),
                 (float)views->depth_per_distance);
-    glUniform1i(glGetUniformLocation(program, "layers"), views->layers);
+    glUniform1i(glGetUniformLocation(program, "layers"),
+                views->layers); // where it is no constant
     for (int layer = 0; layer < views->layers; layer++) {
         const LightView *view = &views->light[layer];
         char name[48];

@@ -1,6 +1,8 @@
 // A point light has six views, along +x, -x, +y, -y, +z and -z: a position
 // belongs to that of its largest coordinate as seen from the light.
 
+const int layers = 6;  // of the map
+
 int map_layer(vec3 relative_position)
 {
     vec3 from_light = -towards_light(relative_position);

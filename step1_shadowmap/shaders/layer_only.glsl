@@ -1,5 +1,7 @@
 // A light with one view has one layer.
 
+const int layers = 1;  // of the map
+
 int map_layer(vec3 relative_position)
 {
     return 0;

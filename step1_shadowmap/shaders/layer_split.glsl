@@ -3,6 +3,7 @@
 // else the change of the texels' size would show as a line; after the last one
 // there is only light.
 
+uniform int layers;  // of the map
 uniform mat4 clip_from_relative;
 uniform vec2 split_range[8];  // view depths: the hand-over begins, and ends
 

@@ -2,7 +2,6 @@
 // picture compare: one formula for both. linear_depth.glsl has it.
 
 uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
-uniform int layers;                 // of the map
 uniform vec4 light_position;  // relative, 1; or towards a parallel light, 0
 
 // Its length is the distance of a spot or point light, 1 for a parallel one.
