@@ -315,7 +315,14 @@ our $NOT_MEASURED = [
         'they are what step 5 does by itself: the points without raw or fp16'
     ],
     [
-        '--depth projected, --slope-term, --bias, --slope-bias',
+        '--format auto',
+        'it is one of the two formats, and --plan says which; the points with '
+          . 'and without fp16 are what it costs and gains'
+    ],
+    [ '--show',  'it shows a map or a plan, and is no technique' ],
+    [ '--light', 'stage has a spot light and room a point light of their own' ],
+    [
+        '--depth projected, --slope-term, --slope-from, --bias, --slope-bias',
         'techniques.md of steps 2 and 3 says what they cure and cost'
     ],
     [

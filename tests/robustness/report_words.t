@@ -314,6 +314,16 @@ for my $scene ( sort keys %scenes ) {
     is( "@lacking", '', "$scene: PCF and VSM at the widths of a verdict" );
 }
 
+# Each technique of the first page is measured, or it is said why not.
+my %named = map { $_ => 1 } map { @{ $_->{options} } } @$all;
+$named{$_} = 1 for map { $_->{what} =~ /(--[a-z-]+)/g } @$left_out;
+my ($page) =
+  slurp( root() . '/README.md' ) =~ /^(\| technique \|.*?)^(?!\|)/ms;
+my @flags = $page =~ /`(--[a-z-]+)/g;
+cmp_ok( scalar @flags, '>=', 30, 'techniques of the first page' );
+is( join( ' ', grep { !$named{$_} } @flags ),
+    '', 'each is measured, or left out for a reason' );
+
 # Each technique on each scene, with its narrowest filter: its options are ones
 # that the program takes together. To list the scenes is the last thing it does
 # before it draws.
