@@ -764,14 +764,14 @@ sub build_in {
 sub plant {
     my @change = @_;
     my $folder = tempdir( CLEANUP => 1 );
-    my ($kind) = map { /\.(cpp|c|h|pm)$/ ? $1 : () } @change;
+    my ($kind) = map { /\.(cpp|c|h|p[lm])$/ ? $1 : () } @change;
     $kind //= 'shader';
-    copy_to( $folder, @REPORT, glob('step*') ) if $kind eq 'pm';
+    copy_to( $folder, @REPORT, glob('step*') ) if $kind =~ /^p/;
     copy_to( $folder, @SOURCES ) if $kind =~ /^(?:c|h|cpp)$/;
     copy_to( $folder, @ORACLE )  if $kind eq 'cpp';
     plant_one( $folder, splice @change, 0, 3 ) while @change;
     return ( '.', VSM_SHADERS => $folder ) if $kind eq 'shader';
-    return ( $folder, VSM_BUILD => abs_path('build') ) if $kind eq 'pm';
+    return ( $folder, VSM_BUILD => abs_path('build') ) if $kind =~ /^p/;
     my @kept = $kind eq 'cpp' ? glob('build/step*') : 'build/oracle';
     symlink abs_path($_), "$folder/$_" for @kept;
     build_in( $folder, $kind eq 'cpp' ? 'build/oracle' : 'programs' );

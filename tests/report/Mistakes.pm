@@ -87,6 +87,14 @@ our %MISTAKES = (
       [ $WORDS, 'tests/report/Judge.pm', '<= 0.02', '<= 0.1' ],
     'a wrong formula of the bleeding' =>
       [ $WORDS, 'tests/report/Judge.pm', '( 4 / 6 )**2', '( 4 / 5 )**2' ],
+    'a claim that fails in silence' => [
+        'robustness/report', 'tests/report/report.pl',
+        "eq 'FAILS' }",      "eq 'fails' }"
+    ],
+    'a point that is missing in silence' => [
+        'robustness/report',                 'tests/report/report.pl',
+        'return 3 if @missing || @problems', 'return 3 if @problems'
+    ],
     'what cannot be told holds' => [
         $WORDS,                      'tests/report/Judge.pm',
         'return   if $to >= $least', 'return 1 if $to >= $least'

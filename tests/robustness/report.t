@@ -136,6 +136,25 @@ unlike( $crashed->{out}, qr/^FAILS/m, 'a crash: no claim about what is not' );
 my $repaired = report( 'first', $build );
 is( $repaired->{status}, 0, 'repaired: complete again' );
 
+# --- a claim does not hold ---------------------------------------------------
+
+# A minimum variance that lets light through where there is none.
+my $leaking = with_fake( 'leaking', <<'END', 5 );
+exec "$real" "$@" --min-variance 0.01
+END
+my $leaked = report( 'first', $leaking );
+is( $leaked->{status}, 1, 'a claim fails: the exit status tells' );
+like(
+    $leaked->{out},
+    qr/^FAILS edge: VSM 7 against same-weights PCF: RMSE 0\.\d/m,
+    'a claim fails: the terminal names it'
+);
+like(
+    slurp("$folder/first/index.html"),
+    qr/FAILS: edge: VSM 7/,
+    'a claim fails: so does the page'
+);
+
 # --- broken off --------------------------------------------------------------
 
 # Ctrl-C while step 5 draws: its answer comes too late.
