@@ -76,6 +76,7 @@ static void create(void)
 
 static void draw_frame(void)
 {
+    look();
     stopwatch_start(&state.stopwatch);
     if (map_plan_begin(&state.plan.map)) {
         moments_draw(&state.map, &state.geometry, &state.plan.map);
@@ -115,7 +116,6 @@ static void run_window(void)
                             scene_draw_reload(&state.picture);
             window_reload(&state.window, compiled);
         }
-        look();
         draw_frame();
         window_show(&state.window, &state.picture, &state.stopwatch);
     }
@@ -136,7 +136,7 @@ int main(int argc, char **argv)
 {
     read_settings(argc, argv);
     create();
-    for (int i = 0; i < base_frames(&state.base); i++) {
+    for (int i = 0; base_next_frame(&state.base, &state.scene, i); i++) {
         draw_frame();
     }
     base_make_directories(&state.base, state.options);

@@ -107,7 +107,7 @@ static const char *why_unknown(const ShadingSettings *settings,
     bool plain = !settings->soft && !blur->mips && !blur->sat &&
                  moments->msaa == 1 && !moments->slope_term;
     return !facts->lookups                        ? "nothing is looked up"
-           : facts->later                         ? "a window's scene changes"
+           : facts->later                         ? "what is shown changes"
            : !moments_are_central(moments)        ? "--moments raw"
            : !proven                              ? "--min-variance is not auto"
            : !plain                               ? "not known for this filter"

@@ -719,6 +719,18 @@ my %mutants = (
     'moments without what is behind all receivers' => [
         'plan', 'step1_shadowmap/base/facts.c', 'facts->compared &&', ''
     ],
+    'an object that moves and leaves its shadow' => [
+        'plan',
+        'step1_shadowmap/map_plan.c',
+        'object->transform, sizeof object->transform',
+        'object->albedo, sizeof object->albedo'
+    ],
+    'a map that is drawn again for what is elsewhere' => [
+        'robustness/touched',
+        'step1_shadowmap/map_plan.c',
+        'layer->stamp != layer->drawn_stamp',
+        'layer->stamp + 1 != layer->drawn_stamp'
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

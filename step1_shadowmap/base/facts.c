@@ -66,7 +66,8 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
                      .settings = settings,
                      .layer_count = views->layers,
                      .size = {views->width, views->height},
-                     .later = shadows && settings->window,
+                     .later = shadows &&
+                              (settings->window || settings->move != NULL),
                      .dumped = shadows && settings->dump != NULL,
                      .redraw = settings->keep_all || settings->redraw};
     const char *why = "--shadows off";

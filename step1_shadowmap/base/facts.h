@@ -18,7 +18,7 @@ typedef struct Facts {
     int layer_count;
     int size[2];   // of the map, texels
     bool lookups;  // some layer has receivers
-    bool later;    // it may have them in a later frame, with another camera
+    bool later;    // it may have them in a later frame, when all may move
     bool dumped;   // whole maps are wanted, looked up or not
     bool redraw;   // the maps are wanted anew in every frame
     bool compared; // each depth by itself: what is behind all receivers is as

@@ -95,6 +95,12 @@ const Option base_options[] = {
      .argument = "N",
      .help = "time N frames after a warm-up; prints each pass's times, and the "
              "texels and bytes that it touches, as CSV"},
+    {.name = "move",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, move),
+     .argument = "NAME",
+     .help = "with --bench: from frame to frame the scene's objects of this "
+             "name rise by a hundredth of their height"},
     {.name = "plan",
      .kind = OPTION_FLAG,
      .offset = offsetof(BaseSettings, plan),
@@ -215,9 +221,50 @@ void base_settings_check(const BaseSettings *settings)
     }
 }
 
+static void rise(Object *object)
+{
+    double *row = object->transform[1];
+    row[3] +=
+        0.01 * row[1] * (double)(object->mesh->high[1] - object->mesh->low[1]);
+}
+
+// Returns how many objects have the name.
+static int move_objects(Scene *scene, const char *name, bool up)
+{
+    int count = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        if (strcmp(scene->objects[i].name, name) == 0) {
+            count++;
+            if (up) {
+                rise(&scene->objects[i]);
+            }
+        }
+    }
+    return count;
+}
+
+static void check_move(const BaseSettings *settings, Scene *scene)
+{
+    if (settings->move == NULL) {
+        return;
+    }
+    if (settings->bench == 0) {
+        die_usage("--move %s is from frame to frame: add --bench, or drop "
+                  "--move",
+                  settings->move);
+    }
+    if (move_objects(scene, settings->move, false) == 0) {
+        die_usage("--move '%s': no object of scene %s has that name; one is "
+                  "'%s'",
+                  settings->move, scene->name,
+                  scene->objects[scene->object_count - 1].name);
+    }
+}
+
 void base_create_scene(const BaseSettings *settings, Scene *scene)
 {
     scene_create(scene, settings->scene, settings->light);
+    check_move(settings, scene);
     LightKind kind = scene->light.kind;
     if (settings->splits > 1 && kind != LIGHT_DIRECTIONAL) {
         die_usage("--splits %d are of a directional light, and this one is a "
@@ -246,9 +293,13 @@ bool base_shadows(const BaseSettings *settings)
     return strcmp(settings->shadows, "on") == 0;
 }
 
-int base_frames(const BaseSettings *settings)
+bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame)
 {
-    return settings->bench > 0 ? settings->bench + STOPWATCH_WARM_UP : 1;
+    int frames = settings->bench > 0 ? settings->bench + STOPWATCH_WARM_UP : 1;
+    if (settings->move != NULL && frame > 0 && frame < frames) {
+        move_objects(scene, settings->move, true);
+    }
+    return frame < frames;
 }
 
 ShaderFiles base_shader_files(const BaseSettings *settings)

@@ -29,6 +29,7 @@ typedef struct BaseSettings {
     int splits;               // views of a directional light
     const char *depth_shader; // the formula of t, for map and picture
     int bench;                // frames to time, or 0
+    const char *move;         // objects that move between frames, or NULL
     bool plan;                // print what is left out, and why
     bool keep_all;            // leave nothing out
     bool redraw;              // draw the map in every frame
@@ -51,7 +52,7 @@ const ShowMode *base_show_mode(const BaseSettings *settings);
 void base_settings_check(const BaseSettings *settings);
 
 // Builds the scene of --scene and --light. Refuses (status 2) splits of a light
-// that is not parallel.
+// that is not parallel, and to move what it does not have.
 void base_create_scene(const BaseSettings *settings, Scene *scene);
 
 // Makes the directories of the default output and of --dump, once everything
@@ -62,9 +63,9 @@ void base_make_directories(const BaseSettings *settings,
 // Whether there are shadows: without, no map is made.
 bool base_shadows(const BaseSettings *settings);
 
-// How many frames to draw at once: one, or those to time and the warm-up before
-// them.
-int base_frames(const BaseSettings *settings);
+// Whether there is a frame of this number, from 0: one, or those to time and
+// the warm-up before them. Moves for it what --move names.
+bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame);
 
 ShaderFiles base_shader_files(const BaseSettings *settings);
 

@@ -125,6 +125,25 @@ for my $options ( @filters, $ENV{VSM_ALL} ? @more : () ) {
       for $ENV{VSM_ALL} ? @scenes : $turned;
 }
 
+# What moves moves its shadow: nothing is left of the frame before.
+for (
+    [ 5, qw(room --move ball) ],
+    [ 1, qw(room --move wall) ],
+    [ 4, qw(teapot --move teapot) ],
+    [ 5, qw(empty --move floor) ],
+    [ 2, qw(avenue --splits 3 --move column) ]
+  )
+{
+    my ( $step, @options ) = @$_;
+    my ( $with, $without ) = map {
+        my $picture = tempdir( CLEANUP => 1 ) . '/a.exr';
+        run_warm( $step, @small, qw(--bench 2 --output),
+            $picture, '--scene', @options, @$_ );
+        slurp($picture);
+    } [], ['--keep-all'];
+    ok( $with eq $without, "step $step @options: the same pixels" );
+}
+
 # Where nothing casts or is lit a frame is that of --shadows off: no pass more,
 # and none that touches more. (`make saved` takes the times.)
 sub passes {

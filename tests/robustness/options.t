@@ -111,6 +111,12 @@ my %OPTIONS = (
     },
     plan       => { steps => [ 1 .. 5 ], check => \&check_plan },
     'keep-all' => { steps => [ 1 .. 5 ], check => \&check_keep_all },
+    move => {
+        steps   => [ 1 .. 5 ],
+        check   => \&check_move,
+        bad     => [ 'teapot', '' ],    # without --bench
+        allowed => qr/--bench|NAME/,
+    },
     redraw     => { steps => [ 1 .. 5 ], check => \&check_redraw },
     bias       => {
         steps   => [ 1 .. 4 ],
@@ -261,6 +267,17 @@ sub map_time {
     unlink 'timed.png';
     my ($time) = $run->{out} =~ /^(?:depth|moments),([\d.]+),/m;
     return $time;
+}
+
+sub check_move {
+    my ( $step, $plain ) = @_;
+    my @bench = qw(--bench 1 --move);
+    my $moved = draw( $step, @bench, 'teapot' );
+    ok( $moved && $moved ne $plain, "step $step: --move moves an object" );
+    is_refused( $step, [ @bench, 'kettle' ],
+        [qr/--move 'kettle'.*scene teapot.*one is 'rail'/],
+        '--move what is not there' );
+    return;
 }
 
 # A map that is drawn takes milliseconds, one that is not microseconds.

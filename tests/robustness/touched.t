@@ -111,4 +111,14 @@ is_deeply(
     'an unchanged map is not drawn again'
 );
 
+
+# Where something moves only the layers that hold it are drawn again.
+my ( $some, $every ) =
+  map { touched( 5, qw(--scene room --move ball), @$_ ) } [], ['--redraw'];
+for (qw(moments blur)) {
+    cmp_ok( $some->{$_}[0], '>', 0, "$_: drawn again where something moves" );
+    cmp_ok( 1.5 * $some->{$_}[0], '<', $every->{$_}[0],
+        "$_: but not where nothing does" );
+}
+
 done_testing;
