@@ -186,15 +186,18 @@ sub pictures {
 # --- times -------------------------------------------------------------------
 
 # One run: {clock, passes => {name => [milliseconds of each frame]}}. The map is
-# drawn in every frame, as where something moves.
+# drawn in every frame, as where something moves, or of an `unchanged` scene
+# only once, before.
 sub times_of {
     my ( $point, $folder, $frames ) = @_;
     my $picture = "$folder/bench.png";
     my @rows    = table(
         answer(
             run(
-                $point->{step}, @{ $point->{options} },
-                '--redraw',     '--bench', $frames, '--output', $picture
+                $point->{step},
+                @{ $point->{options} },
+                $point->{unchanged} ? () : '--redraw',
+                '--bench', $frames, '--output', $picture
             )
         )
     );
