@@ -110,8 +110,8 @@ our %MISTAKES = (
         "( 'PCF', 1 / \$_->{factor} )", "( 'PCF', \$_->{factor} )"
     ],
     'a warning before twice the error' => [
-        $WORDS,                 'tests/report/Verdict.pm',
-        '$best <= 2 * $pair->', '$best <= 1 * $pair->'
+        $WORDS,              'tests/report/Verdict.pm',
+        '$best <= 2 * $pcf', '$best <= 1 * $pcf'
     ],
     'a warning where hard shadows are worse' =>
       [ $WORDS, 'tests/report/Verdict.pm', '|| $best <= $hard', '' ],

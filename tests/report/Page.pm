@@ -37,8 +37,11 @@ sub short_row {
       . join( '', map { "<td>$_</td>" } $compared->{from} // '&ndash;',
         @numbers )
       . '<td>'
-      . ( $compared->{too_wrong} ? '<strong>do not use VSM</strong>' : '' )
-      . "</td></tr>\n";
+      . (
+        defined $compared->{useless}
+        ? "<strong>do not use VSM$compared->{useless}</strong>"
+        : ''
+      ) . "</td></tr>\n";
 }
 
 # From [name, what was compared] of each scene.

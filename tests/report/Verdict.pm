@@ -169,34 +169,40 @@ sub reduced {
       : '';
 }
 
-# Whether even its best is more than twice as wrong as PCF at every width from 7
-# on, and no better than hard shadows are: then nothing speaks for it.
-sub too_wrong {
+# The width from which on even the best of VSM is more than twice as wrong as
+# PCF, and no nearer to the truth than hard shadows are: nothing speaks for it
+# there. Undef where that is not so at the widest.
+sub useless_from {
     my ( $points, @pairs ) = @_;
-    my %point  = map { ( $_->{label} => $_ ) } @$points;
-    my $hard   = $point{hard}{footprint_rmse};
-    my @judged = grep {
-             $_->{width} >= 7
-          && defined $_->{pcf}{footprint_rmse}
-          && defined $_->{vsm}{footprint_rmse}
-    } @pairs;
-    return 0 unless @judged && defined $hard;
-    for my $pair (@judged) {
+    my %point = map { ( $_->{label} => $_ ) } @$points;
+    my $hard  = $point{hard}{footprint_rmse} // return;
+    my $from;
+    for my $pair ( reverse @pairs ) {
         my ($best) = sort { $a <=> $b }
           map { $point{"$_ $pair->{width}"}{footprint_rmse} // () } 'VSM',
           'VSM reduced';
-        return 0
-          if $best <= 2 * $pair->{pcf}{footprint_rmse} || $best <= $hard;
+        my $pcf = $pair->{pcf}{footprint_rmse};
+        last unless defined $best && defined $pcf;
+        last if $best <= 2 * $pcf || $best <= $hard;
+        $from = $pair->{width};
     }
-    return 1;
+    return $from;
+}
+
+# " from width 15 on"; nothing where that is all of them.
+sub from_on {
+    my ( $from, $narrowest ) = @_;
+    return $from > $narrowest ? " from width $from on" : '';
 }
 
 sub advice {
     my ( $scene, $points, @pairs ) = @_;
-    return too_wrong( $points, @pairs )
-      ? "Do not use VSM on $scene: from width 7 on it is more than twice as "
-      . 'wrong as PCF, and no nearer to the truth than hard shadows.'
-      : '';
+    my $from = useless_from( $points, @pairs ) // return '';
+    return
+        "Do not use VSM on $scene"
+      . from_on( $from, $pairs[0]{width} )
+      . ': it is more than twice as wrong as PCF there, and no nearer to the '
+      . 'truth than hard shadows.';
 }
 
 # The techniques that imitate a light with an area, beside some that do not.
@@ -216,12 +222,13 @@ sub soft {
 
 # A scene's points as numbers: {from}, the width from which on VSM is faster
 # than PCF, undef where it is not at the {widest}; by width {faster}, how many
-# times as fast it is, and {wronger}, how many times as wrong; whether it is
-# {too_wrong}. Nothing where not both were measured.
+# times as fast it is, and {wronger}, how many times as wrong; {useless}, where
+# it is not to be used, in words. Nothing where not both were measured.
 sub compared {
     my @points   = @_;
     my @pairs    = pairs(@points) or return;
     my $crossing = crossing(@pairs);
+    my $useless  = useless_from( \@points, @pairs );
     my %wronger;
     for my $pair (@pairs) {
         my ( $pcf, $vsm ) = map { $pair->{$_}{footprint_rmse} } qw(pcf vsm);
@@ -231,10 +238,11 @@ sub compared {
           from => !defined $crossing ? undef
         : $crossing ? next_width($crossing)
         : $pairs[0]{width},
-        widest    => $pairs[-1]{width},
-        faster    => { map { $_->{width} => $_->{factor} } @pairs },
-        wronger   => \%wronger,
-        too_wrong => too_wrong( \@points, @pairs ),
+        widest  => $pairs[-1]{width},
+        faster  => { map { $_->{width} => $_->{factor} } @pairs },
+        wronger => \%wronger,
+        useless => defined $useless ? from_on( $useless, $pairs[0]{width} )
+        : undef,
     };
 }
 
@@ -247,8 +255,11 @@ sub from_to {
 sub in_short {
     my @scenes = @_ or return;
     my @from   = sort { $a <=> $b } map { $_->[1]{from} // () } @scenes;
-    my @never  = map  { defined $_->[1]{from} ? ()      : $_->[0] } @scenes;
-    my @bad    = map  { $_->[1]{too_wrong}    ? $_->[0] : () } @scenes;
+    my @never  = map  { defined $_->[1]{from} ? () : $_->[0] } @scenes;
+    my @bad    = map {
+        my ( $name, $compared ) = @$_;
+        defined $compared->{useless} ? $name . $compared->{useless} : ()
+    } @scenes;
     my @faster = map {
         my $width = $_;
         my @factors =

@@ -175,10 +175,19 @@ like(
 unlike(
     $says->(
         @pcf,            @hard,
-        vsm( 25, 0.03 ), point( 'VSM reduced 15', [25], 0.015 )
+        vsm( 25, 0.03 ), point( 'VSM reduced 31', [25], 0.015 )
     ),
     qr/Do not/,
-    'one setting that works: no warning'
+    'at the widest one setting works: no warning'
+);
+like(
+    $says->(
+        @pcf, @hard,
+        vsm( 25, 0.03 ),
+        point( 'VSM reduced 7', [25], 0.015 )
+    ),
+    qr/Do not use VSM on teapot from width 15 on: [^.]*\.$/,
+    'one setting works up to 7: a warning from 15 on'
 );
 
 # --- all scenes together -----------------------------------------------------
@@ -194,25 +203,27 @@ my $short = sub {
 is_deeply(
     compared( @pcf, @hard, vsm( 26, 0.03 ) ),
     {
-        from      => 7,
-        widest    => 31,
-        faster    => { map { $_ => $_**2 / 26 } @widths },
-        wronger   => { map { $_ => 3 } @widths },
-        too_wrong => 1,
+        from    => 7,
+        widest  => 31,
+        faster  => { map { $_ => $_**2 / 26 } @widths },
+        wronger => { map { $_ => 3 } @widths },
+        useless => '',
     },
     'a scene in numbers'
 );
 is( compared(@pcf), undef, 'without VSM there is nothing to compare' );
 is(
     $short->(
-        one   => [ @pcf, @hard, vsm( 26, 0.03 ) ],
-        two   => [ @pcf, vsm( 1,   0.01 ) ],
+        one => [ @pcf, @hard, vsm( 26, 0.03 ) ],
+        two => [
+            @pcf, @hard, vsm( 1, 0.03 ), point( 'VSM reduced 15', [1], 0.015 )
+        ],
         three => [ @pcf, vsm( 450, 0.01 ) ],
         never => [ @pcf, vsm( 961, 0.01 ) ],
     ),
     'VSM overtakes PCF at width 3 to 23. It does not on never, up to 31. '
       . 'It is 0.2 to 225 times as fast at 15 and 1.0 to 961 times as fast at '
-      . '31. Do not use VSM on one.',
+      . '31. Do not use VSM on one and two from width 31 on.',
     'scenes in short'
 );
 is(
