@@ -9,7 +9,7 @@ use Exporter   qw(import);
 use List::Util qw(max min sum0);
 use Measure    qw(quantile);
 
-our @EXPORT_OK = qw(mark_front claims outcome ratio);
+our @EXPORT_OK = qw(mark_front claims outcome ratio busy);
 
 # Whether one point is clearly faster than another, beyond both quartiles, and
 # no more wrong. Medians alone would let noise decide between equals.
@@ -30,6 +30,18 @@ sub mark_front {
         }
     }
     return;
+}
+
+# A warning where something else kept the machine busy: of half the points the
+# third quartile is over 1.3 times the first, which else is nearer to 1.05.
+sub busy {
+    my @timed = grep { $_->{total_q1} } @_ or return '';
+    my $spread =
+      quantile( 0.5, map { $_->{total_q3} / $_->{total_q1} } @timed );
+    return $spread <= 1.3
+      ? ''
+      : sprintf 'The machine was busy: half of the times vary by a factor of '
+      . '%.1f or more between their quartiles. Take them as a hint.', $spread;
 }
 
 # How much longer a pass of one point takes than another's: round by round,

@@ -10,7 +10,7 @@ use FindBin;
 use VSM;
 use Columns qw(@COLUMNS);
 use Html    qw(escaped number names_of);
-use Judge   qw(outcome);
+use Judge   qw(busy outcome);
 use Scene   qw(scene_section maps_section undrawn);
 use Verdict qw(compared in_short);
 
@@ -220,6 +220,7 @@ sub page {
         rays    => $about->{rays},
         noise   => number( noise( $about->{rays} ), 2 ),
         missing => missing_list(@points),
+        busy    => busy(@points),
         short   => short_section(@compared),
         clock   => escaped( $about->{clock} ),
         links   => join( ' ',

@@ -25,7 +25,7 @@ use Text::Wrap qw(wrap);
 use VSM;
 use Columns qw(@COLUMNS csv);
 use Html    qw(names_of);
-use Judge   qw(claims mark_front outcome);
+use Judge   qw(busy claims mark_front outcome);
 use Measure qw(measure processors);
 use Page    qw(page);
 use Sweep   qw(mode sweep);
@@ -180,6 +180,7 @@ sub main {
     my @missing = grep { $_->{missing} } @$points;
     print_table( $mode->{size}, @$points );
     print_verdicts(@$points);
+    print join '', map { "$_\n" } grep { $_ ne '' } busy(@$points);
     print_claims(@claims);
     print_missing(@missing);
     my @problems = write_results( $mode, $points, $left_out, \@claims );

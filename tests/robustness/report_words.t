@@ -8,7 +8,7 @@ use Test::More;
 use VSM;
 use lib root() . '/tests/report';
 use Columns qw(@COLUMNS csv);
-use Judge   qw(claims mark_front outcome ratio);
+use Judge   qw(busy claims mark_front outcome ratio);
 use Plot    qw(stair work_precision);
 use Sweep   qw(mode sweep);
 use Html    qw(number);
@@ -121,6 +121,15 @@ is_deeply(
         map_q3  => 5.75,
     },
     'times: of all frames, and round by round'
+);
+
+# Quartiles a factor of 1.2, 1.3 and 1.6 apart, and then 1.5 too.
+my @quartiles = map { { total_q1 => 10, total_q3 => $_ } } 12, 13, 16;
+is( busy(@quartiles), '', 'half of the times vary by 1.3: not busy' );
+like(
+    busy( @quartiles, { total_q1 => 10, total_q3 => 15 } ),
+    qr/^The machine was busy: .* factor of 1\.4 /,
+    'half of them by 1.4: busy'
 );
 
 # --- how wrong ---------------------------------------------------------------
