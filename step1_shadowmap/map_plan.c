@@ -2,15 +2,7 @@
 
 #include <stdio.h> // snprintf
 
-// Fowler, Noll and Vo's hash, 64 bits: a change that it misses is once in
-// 2^64.
-static void add_to_stamp(uint64_t *stamp, const void *data, size_t bytes)
-{
-    const unsigned char *byte = data;
-    for (size_t i = 0; i < bytes; i++) {
-        *stamp = (*stamp ^ byte[i]) * 0x100000001b3;
-    }
-}
+#include "step1_shadowmap/base/stamp.h" // stamp_add
 
 // What a layer's texels are made from: the view, to the last bit, and the
 // objects. The origin is the camera, so a camera that moves changes every map
@@ -19,19 +11,18 @@ static uint64_t stamp_layer(const Facts *facts, int layer, const DrawList *list)
 {
     const Views *views = facts->views;
     const LightView *view = &views->light[layer];
-    uint64_t stamp = 0xcbf29ce484222325;
-    add_to_stamp(&stamp, views->origin, sizeof views->origin);
-    add_to_stamp(&stamp, views->light_position, sizeof views->light_position);
-    add_to_stamp(&stamp, &views->depth_per_distance,
-                 sizeof views->depth_per_distance);
-    add_to_stamp(&stamp, view->map_from_relative,
-                 sizeof view->map_from_relative);
-    add_to_stamp(&stamp, view->depth_from_relative,
-                 sizeof view->depth_from_relative);
+    uint64_t stamp = STAMP_START;
+    stamp_add(&stamp, views->origin, sizeof views->origin);
+    stamp_add(&stamp, views->light_position, sizeof views->light_position);
+    stamp_add(&stamp, &views->depth_per_distance,
+              sizeof views->depth_per_distance);
+    stamp_add(&stamp, view->map_from_relative, sizeof view->map_from_relative);
+    stamp_add(&stamp, view->depth_from_relative,
+              sizeof view->depth_from_relative);
     for (int i = 0; i < list->count; i++) {
         const Object *object = &facts->scene->objects[list->objects[i]];
-        add_to_stamp(&stamp, &object->mesh, sizeof object->mesh);
-        add_to_stamp(&stamp, object->transform, sizeof object->transform);
+        stamp_add(&stamp, &object->mesh, sizeof object->mesh);
+        stamp_add(&stamp, object->transform, sizeof object->transform);
     }
     return stamp;
 }

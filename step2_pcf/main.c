@@ -44,11 +44,12 @@ static void read_settings(int argc, char **argv)
 // Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
-    views_fit(&state.views, &state.scene, &state.base, pcf_reach(&state.pcf));
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    pcf_plan(&state.pcf, &state.bias, &state.facts);
-    map_plan_decide_within(&state.plan, &state.facts, pcf_reach(&state.pcf),
-                           "depth", GL_R32F);
+    if (facts_collect(&state.facts, &state.scene, &state.views, &state.base,
+                      pcf_reach(&state.pcf))) {
+        pcf_plan(&state.pcf, &state.bias, &state.facts);
+        map_plan_decide_within(&state.plan, &state.facts, pcf_reach(&state.pcf),
+                               "depth", GL_R32F);
+    }
 }
 
 static void create(void)
@@ -72,8 +73,8 @@ static void create(void)
 
 static void draw_frame(void)
 {
-    look();
     stopwatch_start(&state.stopwatch);
+    look();
     if (map_plan_begin(&state.plan)) {
         shadow_map_draw(&state.map, &state.geometry, &state.plan);
         stopwatch_lap(&state.stopwatch, "depth", state.map.touched);

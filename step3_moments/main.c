@@ -45,12 +45,13 @@ static void read_settings(int argc, char **argv)
 // Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
-    views_fit(&state.views, &state.scene, &state.base, REACH);
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    bias_plan(&state.bias, &state.facts, 1, moments_format(&state.moments));
-    moments_compare_exactly(&state.moments, &state.facts);
-    map_plan_decide_within(&state.plan, &state.facts, REACH, "moments",
-                           moments_format(&state.moments));
+    if (facts_collect(&state.facts, &state.scene, &state.views, &state.base,
+                      REACH)) {
+        bias_plan(&state.bias, &state.facts, 1, moments_format(&state.moments));
+        moments_compare_exactly(&state.moments, &state.facts);
+        map_plan_decide_within(&state.plan, &state.facts, REACH, "moments",
+                               moments_format(&state.moments));
+    }
 }
 
 static void create(void)
@@ -77,8 +78,8 @@ static void create(void)
 
 static void draw_frame(void)
 {
-    look();
     stopwatch_start(&state.stopwatch);
+    look();
     if (map_plan_begin(&state.plan)) {
         moments_draw(&state.map, &state.geometry, &state.plan);
         stopwatch_lap(&state.stopwatch, "moments", state.map.touched);

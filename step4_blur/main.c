@@ -2,7 +2,6 @@
 
 #include "step1_shadowmap/base/context.h"    // context_create
 #include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/facts.h"      // facts_collect
 #include "step1_shadowmap/base/scene_draw.h" // scene_draw
 #include "step1_shadowmap/base/settings.h"   // base_settings
 #include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
@@ -45,13 +44,14 @@ static void read_settings(int argc, char **argv)
     base_settings_check(&state.base);
 }
 
-// Where the light sees the scene from, and what the picture needs of that.
 static void look(void)
 {
-    views_fit(&state.views, &state.scene, &state.base, blur_reach(&state.blur));
-    facts_collect(&state.facts, &state.scene, &state.views, &state.base);
-    blur_plan_bias(&state.bias, &state.facts, &state.blur, &state.moments);
-    blur_plan_decide(&state.plan, &state.facts, &state.blur, &state.moments);
+    if (facts_collect(&state.facts, &state.scene, &state.views, &state.base,
+                      blur_reach(&state.blur))) {
+        blur_plan_bias(&state.bias, &state.facts, &state.blur, &state.moments);
+        blur_plan_decide(&state.plan, &state.facts, &state.blur,
+                         &state.moments);
+    }
 }
 
 static void create(void)
@@ -76,8 +76,8 @@ static void create(void)
 
 static void draw_frame(void)
 {
-    look();
     stopwatch_start(&state.stopwatch);
+    look();
     if (map_plan_begin(&state.plan.map)) {
         moments_draw(&state.map, &state.geometry, &state.plan.map);
         stopwatch_lap(&state.stopwatch, "moments", state.map.touched);

@@ -72,8 +72,8 @@ static void create(void)
 
 static void draw_frame(void)
 {
-    look();
     stopwatch_start(&state.stopwatch);
+    look();
     if (map_plan_begin(&state.plan.map)) {
         moments_draw(&state.map, &state.geometry, &state.plan.map);
         stopwatch_lap(&state.stopwatch, "moments", state.map.touched);

@@ -183,8 +183,9 @@ void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
                 ? soft_reach(&settings->softness, &settings->blur, base, scene)
                 : blur_reach(&settings->blur);
     }
-    views_fit(views, scene, base, settings->reach);
-    facts_collect(facts, scene, views, base);
+    if (!facts_collect(facts, scene, views, base, settings->reach)) {
+        return;
+    }
     if (settings->soft) {
         facts_look_everywhere(facts);
     }

@@ -35,8 +35,8 @@ ShadingSettings shading_settings(void);
 void shading_check(ShadingSettings *settings, BaseSettings *base,
                    const OptionTable tables[]);
 
-// views_fit with room for the widest lookup, which it finds the first time,
-// facts_collect and blur_plan_decide. Soft shadows look all of a layer up where
+// facts_collect with room for the widest lookup, which it finds the first time,
+// and blur_plan_decide. Soft shadows look all of a layer up where
 // they look it up.
 void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
                   Views *views, const Scene *scene, const BaseSettings *base);

@@ -731,6 +731,13 @@ my %mutants = (
         'layer->stamp != layer->drawn_stamp',
         'layer->stamp + 1 != layer->drawn_stamp'
     ],
+    'an object that moved is where it was' => [
+        'plan',
+        'step1_shadowmap/base/facts.c',
+        'i < scene->object_count; i++) {
+        stamp_add(', 'i < 0; i++) {
+        stamp_add('
+    ],
     'casters only where receivers are' => [
         'plan',
         'step1_shadowmap/base/facts.c',

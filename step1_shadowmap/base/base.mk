@@ -24,6 +24,7 @@ base := \
     step1_shadowmap/base/draw_list.h step1_shadowmap/base/draw_list.c \
     step1_shadowmap/base/shape.h step1_shadowmap/base/shape.c \
     step1_shadowmap/base/receivers.h step1_shadowmap/base/receivers.c \
+    step1_shadowmap/base/stamp.h step1_shadowmap/base/stamp.c \
     step1_shadowmap/base/facts.h step1_shadowmap/base/facts.c \
     step1_shadowmap/base/flat.h step1_shadowmap/base/flat.c \
     step1_shadowmap/base/plan.h step1_shadowmap/base/plan.c \

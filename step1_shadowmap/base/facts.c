@@ -3,6 +3,7 @@
 #include <math.h> // fmin, sqrt, INFINITY
 
 #include "step1_shadowmap/base/dvec.h"   // dvec_dot, dvec_subtract
+#include "step1_shadowmap/base/stamp.h"  // stamp_add
 #include "step1_shadowmap/base/volume.h" // volume_of_texels
 
 static void find_receivers(Facts *facts, const int picture[2])
@@ -57,11 +58,29 @@ static void keep_all(Facts *facts)
     }
 }
 
-void facts_collect(Facts *facts, const Scene *scene, const Views *views,
-                   const BaseSettings *settings)
+// Of a scene, what may change from frame to frame.
+static uint64_t stamp_scene(const Scene *scene)
 {
+    uint64_t stamp = STAMP_START;
+    stamp_add(&stamp, &scene->camera, sizeof scene->camera);
+    for (int i = 0; i < scene->object_count; i++) {
+        stamp_add(&stamp, scene->objects[i].transform,
+                  sizeof scene->objects[i].transform);
+    }
+    return stamp;
+}
+
+bool facts_collect(Facts *facts, const Scene *scene, Views *views,
+                   const BaseSettings *settings, int reach)
+{
+    uint64_t stamp = stamp_scene(scene);
+    if (facts->scene == scene && facts->stamp == stamp) {
+        return false;
+    }
     bool shadows = base_shadows(settings);
+    views_fit(views, scene, settings, reach);
     *facts = (Facts){.scene = scene,
+                     .stamp = stamp,
                      .views = views,
                      .settings = settings,
                      .layer_count = views->layers,
@@ -88,6 +107,7 @@ void facts_collect(Facts *facts, const Scene *scene, const Views *views,
              "%d of %d objects may be in it", views->seen.count,
              scene->object_count);
     plan_add(&facts->plan, "lookup", -1, facts->lookups, 0, 0, "%s", why);
+    return true;
 }
 
 // The least t of what is in a box, or somewhat less.

@@ -5,6 +5,7 @@
 #define BASE_FACTS_H
 
 #include <stdbool.h>
+#include <stdint.h> // uint64_t
 
 #include "step1_shadowmap/base/plan.h"      // Plan
 #include "step1_shadowmap/base/receivers.h" // LayerFacts
@@ -12,6 +13,7 @@
 
 typedef struct Facts {
     const Scene *scene;
+    uint64_t stamp; // of what may change in it
     const Views *views;
     const BaseSettings *settings;
     LayerFacts layers[VIEW_MAX_LAYERS];
@@ -28,11 +30,13 @@ typedef struct Facts {
     Plan plan;     // what has been decided from the facts
 } Facts;
 
-// The scene, the views and the settings have to stay where they are. With
-// --keep-all, or a choice of --show that looks the map up everywhere, the facts
-// are those of a scene that needs everything.
-void facts_collect(Facts *facts, const Scene *scene, const Views *views,
-                   const BaseSettings *settings);
+// Fits the views with room for so many texels (views_fit) and finds the facts.
+// Does nothing, and returns false, if since the last time neither the camera
+// nor an object has moved. The scene, the views and the settings have to stay
+// where they are. With --keep-all, or a choice of --show that looks the map up
+// everywhere, the facts are those of a scene that needs everything.
+bool facts_collect(Facts *facts, const Scene *scene, Views *views,
+                   const BaseSettings *settings, int reach);
 
 // Whether the picture's shader has to look maps up, and whether there have to
 // be any.

@@ -33,7 +33,8 @@ typedef struct Stopwatch {
     double started; // of the running lap, milliseconds since some fixed time
 } Stopwatch;
 
-// Waits until OpenGL has nothing left to do, then starts a frame's first lap.
+// Waits until OpenGL has nothing left to do, then starts a frame's first lap,
+// which what is planned before the first pass belongs to.
 // After STOPWATCH_MAX_FRAMES the last frame is measured again.
 void stopwatch_start(Stopwatch *stopwatch);
 
