@@ -542,6 +542,10 @@ my %mutants = (
         'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
+    'an object drawn in the place of another' => [
+        'step1', 'step1_shadowmap/base/draw_list.c',
+        'list->objects[place] = before;', ''
+    ],
     'a face of a point light that is never looked up' => [
         'lights', 'step1_shadowmap/shaders/layer_face.glsl',
         'layers = 6', 'layers = 3'

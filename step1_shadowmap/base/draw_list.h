@@ -14,8 +14,9 @@ typedef struct DrawList {
 // Every object of the scene.
 void draw_list_all(DrawList *list, const Scene *scene);
 
-// The same, but what casts first: the ground, on which all of it stands,
-// fills much of a picture, and what is hidden of it then need not be shaded.
-void draw_list_ground_last(DrawList *list, const Scene *scene);
+// The same for a picture: what is drawn later and lies behind need not be
+// shaded. So the objects come by the distance of their origins from the camera,
+// and last the ground, which casts nothing and on which all of them stand.
+void draw_list_nearest_first(DrawList *list, const Scene *scene);
 
 #endif

@@ -92,7 +92,7 @@ static void cull(Views *views, const Scene *scene)
 // Of a light's views the facts know more: see facts_list_casters.
 static void list_objects(Views *views, const Scene *scene, bool all)
 {
-    draw_list_ground_last(&views->seen, scene);
+    draw_list_nearest_first(&views->seen, scene);
     if (!all) {
         cull(views, scene);
     }
