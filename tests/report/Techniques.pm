@@ -330,7 +330,7 @@ our $NOT_MEASURED = [
         'numbers to tune by hand; the defaults are measured'
     ],
     [
-        'frames in which nothing moves, --keep-all',
+        'frames in which little or nothing moves, --move, --keep-all',
         'every frame draws what it needs of its maps (--redraw); a map that '
           . 'is kept costs nothing but the shading'
     ],
