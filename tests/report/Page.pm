@@ -39,7 +39,7 @@ sub short_row {
       . '<td>'
       . (
         defined $compared->{useless}
-        ? "<strong>do not use VSM$compared->{useless}</strong>"
+        ? "<strong>do not use VSM $compared->{useless}</strong>"
         : ''
       ) . "</td></tr>\n";
 }

@@ -189,18 +189,18 @@ sub useless_from {
     return $from;
 }
 
-# " from width 15 on"; nothing where that is all of them.
+# "from width 15 on"; nothing where that is all of them.
 sub from_on {
     my ( $from, $narrowest ) = @_;
-    return $from > $narrowest ? " from width $from on" : '';
+    return $from > $narrowest ? "from width $from on" : '';
 }
 
 sub advice {
     my ( $scene, $points, @pairs ) = @_;
-    my $from = useless_from( $points, @pairs ) // return '';
+    my $from  = useless_from( $points, @pairs ) // return '';
+    my $where = from_on( $from, $pairs[0]{width} );
     return
-        "Do not use VSM on $scene"
-      . from_on( $from, $pairs[0]{width} )
+        join( ' ', "Do not use VSM on $scene", $where || () )
       . ': it is more than twice as wrong as PCF there, and no nearer to the '
       . 'truth than hard shadows.';
 }
@@ -258,7 +258,8 @@ sub in_short {
     my @never  = map  { defined $_->[1]{from} ? () : $_->[0] } @scenes;
     my @bad    = map {
         my ( $name, $compared ) = @$_;
-        defined $compared->{useless} ? $name . $compared->{useless} : ()
+        my $where = $compared->{useless};
+        defined $where ? $name . ( $where && " ($where)" ) : ()
     } @scenes;
     my @faster = map {
         my $width = $_;

@@ -232,7 +232,7 @@ is(
     ),
     'VSM overtakes PCF at width 3 to 23. It does not on never, up to 31. '
       . 'It is 0.2 to 225 times as fast at 15 and 1.0 to 961 times as fast at '
-      . '31. Do not use VSM on one and two from width 31 on.',
+      . '31. Do not use VSM on one and two (from width 31 on).',
     'scenes in short'
 );
 is(
