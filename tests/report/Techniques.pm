@@ -31,8 +31,8 @@ our %MODES = (
         rounds     => 3,
         frames     => 11,
         scenes     => ['teapot'],
-        techniques => \@PLAIN,
-        why        => 'is for the diagram on the first page',
+        techniques => [ @PLAIN, 'moments', 'compared mean' ],
+        why        => 'is for the first page',
     },
     tiny => {
         size       => '160x90',
