@@ -105,7 +105,7 @@ sub claims {
         return grep( { !$_ } @found ) ? () : @found;
     };
     my $bad = sum0( map { $_->{footprint_nonfinite} // 0 } values %point );
-    $claim->( $bad == 0, 'values that are not finite: %d', $bad );
+    $claim->( $bad == 0, 'values that are not finite: %d', $bad ) if %point;
     my %scenes = map { $_->{scene} => 1 } @points;
     for my $scene ( sort keys %scenes ) {
         for ( [ 'PCF', 8, 1e9 ], [ 'VSM', 0, 1.2 ] ) {

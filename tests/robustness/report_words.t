@@ -295,6 +295,9 @@ is(
     'claims: finite; edge 1e-4, not of what is missing; bleed 4/9, 2 %'
 );
 
+is( claims( point( 'VSM 3', [1], 0.1, missing => 'it crashed' ) ),
+    0, 'of what is missing nothing is claimed' );
+
 # What is claimed of shading with a narrow and a wide filter, from the fastest
 # frames of some rounds.
 sub growth {
