@@ -201,7 +201,7 @@ like(
     'where nothing casts'
 );
 is( scalar( () = slurp("$folder/out/saved.csv") =~ /\n/g ),
-    11, 'the results have a head and a row for each' );
+    31, 'the results have a head and a row for each' );
 
 $run = saved( programs( 'kept', '$ms{depth} = "@ARGV" =~ m{off} ? 0 : 90;' ),
     'room:turn=-100', 'empty' );
