@@ -85,10 +85,14 @@ all_objects := $(sort $(foreach p,$(PROGRAMS),$(call objects,$p)))
 .DELETE_ON_ERROR:
 programs: $(PROGRAMS:%=$(BUILD)/%)
 
+# Where the programs look for image.so. As a RPATH, not a RUNPATH: that holds
+# for a dlopen() that a sanitizer makes in their place, too.
+BESIDE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
+
 define link_rule
 $(BUILD)/$1: $(call objects,$1) $(BUILD)/glad/gl.o
 	@echo link $$@
-	@$$(CC) $$(LDFLAGS) -o $$@ $$^ $$(LIBRARIES)
+	@$$(CC) $$(LDFLAGS) $$(BESIDE) -o $$@ $$^ $$(LIBRARIES)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call link_rule,$p)))
 

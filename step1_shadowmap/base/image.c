@@ -24,7 +24,7 @@ typedef ImageBytes ImageEncode(const char *path, const float *pixels, int width,
 // --help, a wrong option or a window.
 static ImageEncode *load_encoder(void)
 {
-    void *library = dlopen("$ORIGIN/image.so", RTLD_LAZY); // beside the program
+    void *library = dlopen("image.so", RTLD_LAZY); // beside, see base.mk
     void *symbol = library != NULL ? dlsym(library, "image_encode") : NULL;
     if (symbol == NULL) {
         die("cannot load the image library: %s", dlerror());
