@@ -9,7 +9,7 @@ set border 3
 set tics nomirror
 set grid lc rgb '#c0c0c0' lw 0.5
 set logscale xy
-set key top left
+set key Left reverse at graph 0.3, graph 0.98
 set multiplot layout 1, 2
 set xlabel 'width of the filter, texels'
 set ylabel 'time of a frame, ms'
