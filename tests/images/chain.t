@@ -9,18 +9,9 @@ use VSM;
 my @small = qw(--size 320x180 --map-size 256);
 my @bare  = ( @small, qw(--bleed-reduction 0) );
 
-# The table of `errors` as {row}{column}.
 sub rows_of {
     my ( $dump, @words ) = @_;
-    my $answer = ask_oracle( 'errors', $dump, 'chain=1', 'rays=16', @words );
-    my ( $head, @lines ) = split /\n/, $answer->{out};
-    my %rows;
-    for (@lines) {
-        my %row;
-        @row{ split /,/, $head } = split /,/;
-        $rows{ $row{truth} } = \%row;
-    }
-    return %rows;
+    return oracle_errors( $dump, 'chain=1', 'rays=16', @words );
 }
 
 sub at_most {

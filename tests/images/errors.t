@@ -8,19 +8,11 @@ use VSM;
 
 my @small = qw(--size 160x90 --map-size 128);
 
-# The rows of `errors` as {truth}{column}; the pictures lie in the dump's w/.
+# The pictures lie in the dump's w/.
 sub rows_of {
     my ($dump) = @_;
-    my $answer = ask_oracle( 'errors', $dump, 'rays=16', "write=$dump/w",
+    return oracle_errors( $dump, 'rays=16', "write=$dump/w",
         "pictures=$dump/w" );
-    my ( $head, @lines ) = split /\n/, $answer->{out};
-    my %rows;
-    for (@lines) {
-        my %row;
-        @row{ split /,/, $head } = split /,/;
-        $rows{ $row{truth} } = \%row;
-    }
-    return %rows;
 }
 
 # A picture's pixels, a list of channels each.

@@ -8,19 +8,11 @@ use VSM;
 my @small = qw(--size 320x180 --map-size 256);
 my @bare  = ( @small, qw(--bleed-reduction 0) );
 
-# The errors of a dump as {truth}{column}; one test that the table is whole.
+# The errors of a dump; one test that the table is whole.
 sub errors_of {
     my ( $dump, $truths, @arguments ) = @_;
-    my $run = ask_oracle( 'errors', $dump, @arguments );
-    my ( $head, @lines ) = split /\n/, $run->{out};
-    my %errors;
-    for (@lines) {
-        my %row;
-        @row{ split /,/, $head } = split /,/;
-        $errors{ $row{truth} } = \%row;
-    }
-    is( "$run->{status} @{[sort keys %errors]}",
-        "0 $truths", "errors: the truths of this step" );
+    my %errors = oracle_errors( $dump, @arguments );
+    is( "@{[sort keys %errors]}", $truths, "errors: the truths of this step" );
     is( ( grep { $_->{nonfinite} != 0 || $_->{pixels} == 0 } values %errors ),
         0, 'errors: finite, and something to count' );
     return %errors;

@@ -24,7 +24,7 @@ use POSIX ();
 use Test::More;
 
 our @EXPORT = qw(root program_name program command run run_warm dump_run
-  oracle ask_oracle slurp spew everything_below png_size stops);
+  oracle ask_oracle oracle_errors slurp spew everything_below png_size stops);
 
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
@@ -182,6 +182,21 @@ sub ask_oracle {
     }
     undef $oracle;
     return { status => 2, signal => 0, out => "${out}it has stopped\n" };
+}
+
+# What the oracle's `errors` says of a dump: {truth}{column}.
+sub oracle_errors {
+    my ( $dump, @words ) = @_;
+    my $answer = ask_oracle( 'errors', $dump, @words );
+    $answer->{status} == 0 or fail("errors: status $answer->{status}");
+    my ( $head, @lines ) = split /\n/, $answer->{out};
+    my %errors;
+    for (@lines) {
+        my %row;
+        @row{ split /,/, $head } = split /,/;
+        $errors{ $row{truth} } = \%row;
+    }
+    return %errors;
 }
 
 END {
