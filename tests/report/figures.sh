@@ -66,7 +66,8 @@ step3_moments)
         -e "output='$program/technique_central.png'" tests/stability/fuzz.gp
     echo "$program/technique_central.png"
     drawn=step5_chebyshev
-    bare='--map-size 256 --radius 0 --min-variance 0 --bleed-reduction 0'
+    bare='--moments raw --map-size 256 --radius 0 --min-variance 0
+        --bleed-reduction 0'
     # shellcheck disable=SC2086 # a list of words
     {
         panel flat --scene teapot:elevation=20 $bare
