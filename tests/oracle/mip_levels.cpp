@@ -3,6 +3,7 @@
 #include <algorithm> // max, min
 #include <cmath>     // atan2, ceil, exp2, floor, log2
 
+#include "tests/oracle/between.h"   // between_texels
 #include "tests/oracle/footprint.h" // position_error
 #include "tests/oracle/rounding.h"
 
@@ -63,37 +64,12 @@ static double texel(const Picture &map, int x, int y, int channel)
     return map.holds(x, y) ? double(map.at(x, y, channel)) : 1.0;
 }
 
-static double bilinear(const Picture &map, double x, double y, int channel)
-{
-    double left = std::floor(x), low = std::floor(y);
-    double wx = x - left, wy = y - low;
-    int i = int(left), j = int(low);
-    return (1 - wy) * ((1 - wx) * texel(map, i, j, channel) +
-                       wx * texel(map, i + 1, j, channel)) +
-           wy * ((1 - wx) * texel(map, i, j + 1, channel) +
-                 wx * texel(map, i + 1, j + 1, channel));
-}
-
-static std::vector<double> places(double x, double error)
-{
-    std::vector<double> out = {x - error, x + error};
-    if (std::abs(std::round(x) - x) < error)
-        out.push_back(std::round(x));
-    return out;
-}
-
-// The extremes of a bilinear function over a rectangle are at its corners, or
-// where a texel's centre cuts it.
 static Interval looked_up(const Picture &map, double u, double v,
                           double tap_error, int channel)
 {
-    double ex = position_error(u, map.width) + tap_error * map.width;
-    double ey = position_error(v, map.height) + tap_error * map.height;
-    double x = u * map.width - 0.5, y = v * map.height - 0.5;
-    Interval value = bilinear(map, x, y, channel);
-    for (double py : places(y, ey))
-        for (double px : places(x, ex))
-            value = hull(value, bilinear(map, px, py, channel));
+    Interval value = between_texels(map, u, v, tap_error, [&](int x, int y) {
+        return texel(map, x, y, channel);
+    });
     return widened(value, rounding_share(6)); // moments are at most 1
 }
 
@@ -132,7 +108,7 @@ struct SpreadLookup {
         double ey = position_error(v, map.height) + tap_error * map.height;
         double x = u * map.width - 0.5, y = v * map.height - 0.5;
         auto shifts = [](double place, double error) {
-            std::vector<double> all = places(place, error);
+            std::vector<double> all = extreme_places(place, error);
             for (double &p : all)
                 p -= place;
             return all;
@@ -193,7 +169,7 @@ typename Lookup::Value MipLookup::along(const Lookup &lookup, const Receiver &r,
         taps == 1 ? 0
                   : AXIS_ERROR * longer / std::min(finest.width, finest.height);
     std::vector<typename Lookup::Value> all;
-    std::vector<double> levels = places(level, LEVEL_ERROR);
+    std::vector<double> levels = extreme_places(level, LEVEL_ERROR);
     if (hardware_)
         levels = {level - 1, std::floor(level), level, std::ceil(level),
                   level + 1};
