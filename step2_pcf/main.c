@@ -58,6 +58,7 @@ static void create(void)
                                 "step1_shadowmap/shaders/depth.frag", NULL};
     const char *visibility[PCF_MAX_SHADERS];
     pcf_shaders(&state.pcf, visibility);
+    state.base.constants = pcf_constants(&state.pcf);
     base_create_scene(&state.base, &state.scene);
     state.context = context_create(state.base.window, state.base.size);
     look();
@@ -80,7 +81,6 @@ static void draw_frame(void)
         stopwatch_lap(&state.stopwatch, "depth", state.map.touched);
     }
     bias_apply(&state.bias, state.picture.program.id);
-    pcf_apply(&state.pcf, state.picture.program.id);
     scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
                state.map.texture);
     stopwatch_lap(&state.stopwatch, "shading", state.picture.touched);

@@ -1,5 +1,6 @@
 #include "step2_pcf/pcf.h"
 
+#include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
 #include "step1_shadowmap/base/die.h"        // die_usage
@@ -85,8 +86,9 @@ void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
     bias_plan_behind(bias, facts);
 }
 
-void pcf_apply(const PcfSettings *settings, GLuint program)
+const char *pcf_constants(PcfSettings *settings)
 {
-    glUseProgram(program);
-    glUniform1i(glGetUniformLocation(program, "kernel"), settings->kernel);
+    snprintf(settings->constants, sizeof settings->constants,
+             "const int kernel = %d;", settings->kernel);
+    return settings->constants;
 }

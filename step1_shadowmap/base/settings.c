@@ -304,5 +304,5 @@ bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame)
 
 ShaderFiles base_shader_files(const BaseSettings *settings)
 {
-    return (ShaderFiles){.directory = settings->shaders};
+    return (ShaderFiles){settings->shaders, settings->constants};
 }

@@ -23,6 +23,7 @@ typedef struct BaseSettings {
     const ShowMode *more_shows; // what the step adds to the choices, or NULL
     const char *dump;           // directory, or NULL
     const char *shaders;        // directory, or NULL
+    const char *constants;      // GLSL in front of every shader, or NULL
     bool window;
     const char *context;
     const char *shadows;      // on or off

@@ -1,8 +1,9 @@
 // --adaptive: as wide as what the pixel covers of the map, which is more the
 // further away it is. Where texels are wider than pixels there is nothing to
 // average but the steps of the texels themselves: 3 of them.
-
-uniform int kernel;  // texels, odd: the widest
+//
+// pcf.c puts the widest in front, a constant:
+//     const int kernel;  texels, odd
 
 int filter_width(Receiver receiver)
 {
