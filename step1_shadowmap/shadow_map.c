@@ -70,8 +70,10 @@ Program shadow_map_program(ShaderFiles files, const char *const shaders[])
     return gl_program(files, vertex, fragment);
 }
 
+const Sampling shadow_map_depths = {GL_NEAREST, {1, 1, 1, 1}};
+
 ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
-                            GLenum filter)
+                            Sampling sampling)
 {
     gl_check_size("map-size", views->width, views->height);
     ShadowMap map = {.program = program,
@@ -80,12 +82,12 @@ ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
                      .height = views->height,
                      .layers = views->layers,
                      .channels = format == GL_R32F ? 1 : 2,
-                     .far = {1, 1, 1, 1}};
+                     .sampling = sampling};
     size_t texels = (size_t)map.width * (size_t)map.height;
     map.bytes = texels * ((size_t)map.layers * gl_texel_bytes(format) +
                           gl_texel_bytes(GL_DEPTH_COMPONENT32F));
     map.texture =
-        gl_texture_array(format, map.width, map.height, map.layers, filter);
+        gl_texture_array(format, map.width, map.height, map.layers, sampling);
     map.depth_buffer = gl_depth_buffer(map.width, map.height);
     for (int layer = 0; layer < map.layers; layer++) {
         map.framebuffers[layer] =
@@ -110,7 +112,7 @@ void shadow_map_draw_layer(const ShadowMap *map, int layer,
     glUniform2f(glGetUniformLocation(program, "map_size"), (float)map->width,
                 (float)map->height); // where it is used
     glUniform1i(glGetUniformLocation(program, "layer"), layer);
-    glClearBufferfv(GL_COLOR, 0, map->far);
+    glClearBufferfv(GL_COLOR, 0, map->sampling.far);
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
     geometry_draw_shapes(geometry, plan->scene, &part->list,
                          plan->views->origin);

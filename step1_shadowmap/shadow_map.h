@@ -40,10 +40,10 @@ typedef struct ShadowMap {
     GLuint framebuffers[VIEW_MAX_LAYERS];
     GLenum format; // of the texture
     int width, height, layers;
-    int channels;    // of the texture
-    float far[4];    // a texel that nothing covers
-    size_t bytes;    // of the texture and the depth buffer
-    Touched touched; // by the last shadow_map_draw
+    int channels;      // of the texture
+    Sampling sampling; // of the texture
+    size_t bytes;      // of the texture and the depth buffer
+    Touched touched;   // by the last shadow_map_draw
 } ShadowMap;
 
 // The program that fills a map. Its fragment shader is light_depth.glsl and
@@ -52,14 +52,16 @@ typedef struct ShadowMap {
 // map_depth(), t in [0, 1].
 Program shadow_map_program(ShaderFiles files, const char *const shaders[]);
 
+// Single texels; outside is far depth, 1.
+extern const Sampling shadow_map_depths;
+
 // A map of the given format, one layer per view, filled by the program, which
-// it owns from here on. `filter` says how it is looked up (GL_NEAREST or
-// GL_LINEAR).
+// it owns from here on.
 ShadowMap shadow_map_create(Program program, const Views *views, GLenum format,
-                            GLenum filter);
+                            Sampling sampling);
 
 // Draws what the plan says of each layer; what nothing covers of its texels is
-// at far depth, 1.
+// at far depth.
 void shadow_map_draw(ShadowMap *map, const Geometry *geometry,
                      const MapPlan *plan);
 

@@ -66,7 +66,7 @@ static void create(void)
     if (facts_make_maps(&state.facts)) {
         state.map = shadow_map_create(
             shadow_map_program(base_shader_files(&state.base), fill),
-            &state.views, GL_R32F, GL_NEAREST);
+            &state.views, GL_R32F, shadow_map_depths);
     }
     state.picture = scene_draw_create(&state.base, &state.facts, visibility);
     plan_print(&state.facts.plan, state.base.plan);

@@ -34,9 +34,9 @@ int pcf_reach(const PcfSettings *settings);
 void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
               Facts *facts);
 
-// What these files take for a constant: the kernel. A loop whose length is known
-// when it is compiled takes half the time (measured). Valid as long as the
-// settings.
+// What these files take for a constant: the kernel. A loop whose length is
+// known when it is compiled takes half the time (measured). Valid as long as
+// the settings.
 const char *pcf_constants(PcfSettings *settings);
 
 #endif

@@ -242,17 +242,21 @@ static Program resolve_program(ShaderFiles files,
     return gl_program(files, vertex, fragment);
 }
 
+// Raw moments may be averaged by the texture unit. Far depth does not vary.
+static Sampling moments_sampling(const MomentsSettings *settings)
+{
+    return moments_are_central(settings) ? (Sampling){GL_NEAREST, {1, 0, 1, 1}}
+                                         : (Sampling){GL_LINEAR, {1, 1, 1, 1}};
+}
+
 MomentsMap moments_create(ShaderFiles files, const Views *views,
                           const MomentsSettings *settings)
 {
     GLenum format = moments_format(settings);
-    MomentsMap map = {.settings = settings,
-                      .texels =
-                          shadow_map_create(create_program(files, settings),
-                                            views, format, GL_LINEAR)};
-    if (moments_are_central(settings)) {
-        map.texels.far[1] = 0; // far depth does not vary
-    }
+    MomentsMap map = {
+        .settings = settings,
+        .texels = shadow_map_create(create_program(files, settings), views,
+                                    format, moments_sampling(settings))};
     if (settings->msaa > 1) {
         map.samples =
             multisample_create(resolve_program(files, settings), settings->msaa,

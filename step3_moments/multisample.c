@@ -163,7 +163,7 @@ void multisample_dump(const Multisample *multisample, const ShadowMap *map,
                                     NULL};
     Program program = gl_program(multisample->resolve.where, vertex, fragment);
     GLuint texture = gl_texture_array(multisample->format, map->width,
-                                      map->height, 1, GL_NEAREST);
+                                      map->height, 1, map->sampling);
     GLuint framebuffer = gl_layer_framebuffer(texture, 0, 0);
     for (int layer = 0; layer < map->layers; layer++) {
         draw_samples(multisample, map, layer, geometry, plan);

@@ -8,13 +8,13 @@
 #include "step1_shadowmap/base/die.h" // allocate, die_usage
 #include "step4_blur/running_box.h"   // running_box_apply
 
-static BlurTarget create_target(Blur *blur, GLenum format)
+static BlurTarget create_target(Blur *blur, const ShadowMap *map)
 {
     blur->bytes += (size_t)blur->width * (size_t)blur->height *
-                   (size_t)blur->layers * gl_texel_bytes(format);
+                   (size_t)blur->layers * gl_texel_bytes(map->format);
     BlurTarget target = {.texture =
-                             gl_texture_array(format, blur->width, blur->height,
-                                              blur->layers, GL_LINEAR)};
+                             gl_texture_array(map->format, blur->width, blur->height,
+                                              blur->layers, map->sampling)};
     for (int layer = 0; layer < blur->layers; layer++) {
         target.framebuffers[layer] =
             gl_layer_framebuffer(target.texture, layer, 0);
@@ -135,22 +135,25 @@ Blur blur_create(ShaderFiles files, const BlurSettings *settings,
                  .layers = map->layers};
     const int size[2] = {blur.width, blur.height};
     glGenVertexArrays(1, &blur.empty_vao);
+    Sampling single = map->sampling;
+    single.filter = GL_NEAREST;
+    blur.texel_sampler = gl_sampler(single);
     // A chain needs a texture of its own, and the moments' is not ours.
     if (blur.factor > 1 || (settings->mips && blur.radius == 0)) {
         blur.downsample_program =
             merge_program(files, moments, "step4_blur/shaders/downsample.frag");
-        blur.small = create_target(&blur, map->format);
+        blur.small = create_target(&blur, map);
     }
     if (blur.radius > 0) {
         create_filters(&blur, files, settings, moments);
-        blur.horizontal = create_target(&blur, map->format);
-        blur.vertical = create_target(&blur, map->format);
+        blur.horizontal = create_target(&blur, map);
+        blur.vertical = create_target(&blur, map);
     }
     if (settings->mips) {
         const BlurTarget *last = blur.radius > 0 ? &blur.vertical : &blur.small;
         blur.mips = mips_create(
             merge_program(files, moments, "step4_blur/shaders/mips.frag"),
-            last->texture, map->format, size, blur.layers);
+            last->texture, map, size);
         blur.bytes += blur.mips.bytes;
         if (blur.hardware) {
             mips_use_sampler(&blur.mips, settings->anisotropy);
@@ -229,6 +232,7 @@ void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan)
     GLuint result = moments->texels.texture;
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, blur->width, blur->height);
+    glBindSampler(0, blur->texel_sampler);
     if (blur->downsample_program.id != 0) {
         downsample(blur, result, (Part){plan->small, &plan->map});
         result = blur->small.texture;
@@ -244,6 +248,7 @@ void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan)
         result = sat_apply(&blur->sat, result, blur->empty_vao, plan->levels[0],
                            &plan->map);
     }
+    glBindSampler(0, 0);
     blur->result = result;
     blur->touched = blur_plan_touched(plan, blur, moments->texels.format);
 }
@@ -277,6 +282,7 @@ void blur_destroy(Blur *blur)
         free(blur->constants[i]);
     }
     gl_program_destroy(&blur->downsample_program);
+    glDeleteSamplers(1, &blur->texel_sampler);
     glDeleteVertexArrays(1, &blur->empty_vao);
     *blur = (Blur){.width = 0};
 }

@@ -80,6 +80,7 @@ typedef struct Blur {
     Program blur_programs[BLUR_MAX_FILTERS];
     int filter_count;
     GLuint empty_vao;
+    GLuint texel_sampler;  // for the passes: single texels of a map
     BlurTarget small;      // downsampled; with mips alone: copied
     BlurTarget horizontal; // blurred along u; with boxes taking turns
     BlurTarget vertical;   // then along v; the last one

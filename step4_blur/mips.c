@@ -42,22 +42,24 @@ static void limit_levels(int first, int last)
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, last);
 }
 
-Mips mips_create(Program program, GLuint texture, GLenum format,
-                 const int size[2], int layers)
+Mips mips_create(Program program, GLuint texture, const ShadowMap *map,
+                 const int size[2])
 {
     Mips mips = {.program = program,
                  .texture = texture,
                  .width = size[0],
                  .height = size[1],
-                 .layers = layers};
+                 .layers = map->layers};
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
-    add_levels(&mips, format);
+    add_levels(&mips, map->format);
     // The lookup blends the levels itself.
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
-                    GL_LINEAR_MIPMAP_NEAREST);
+                    map->sampling.filter == GL_LINEAR
+                        ? GL_LINEAR_MIPMAP_NEAREST
+                        : GL_NEAREST_MIPMAP_NEAREST);
     limit_levels(0, mips.levels - 1);
     for (int level = 1; level < mips.levels; level++) {
-        for (int layer = 0; layer < layers; layer++) {
+        for (int layer = 0; layer < map->layers; layer++) {
             mips.framebuffers[level][layer] =
                 gl_level_framebuffer(texture, level, layer);
         }

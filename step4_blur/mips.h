@@ -3,8 +3,8 @@
 #ifndef STEP4_MIPS_H
 #define STEP4_MIPS_H
 
-#include "step1_shadowmap/base/gl.h"  // Program
-#include "step1_shadowmap/map_plan.h" // MapPlan
+#include "step1_shadowmap/map_plan.h"   // MapPlan
+#include "step1_shadowmap/shadow_map.h" // ShadowMap
 
 enum { MIPS_MAX_LEVELS = 16 };
 
@@ -21,12 +21,13 @@ typedef struct Mips {
 // How many levels there are of a texture of this size.
 int mips_count(const int size[2]);
 
-// Adds the levels to an array texture. Each is half as wide and high as the
-// one before; the last is the one that cannot be halved without a rest, for a
-// texel that began elsewhere than two finer ones would shift the shadows. The
-// program (of mips.frag) is the chain's from here on.
-Mips mips_create(Program program, GLuint texture, GLenum format,
-                 const int size[2], int layers);
+// Adds the levels to an array texture that is like the map's but of this size.
+// Each is half as wide and high as the one before; the last is the one that
+// cannot be halved without a rest, for a texel that began elsewhere than two
+// finer ones would shift the shadows. The program (of mips.frag) is the chain's
+// from here on.
+Mips mips_create(Program program, GLuint texture, const ShadowMap *map,
+                 const int size[2]);
 
 // From here on the texture unit blends two levels by itself, with up to
 // `anisotropy` taps along a pixel's longer axis. Refuses (status 2) what the

@@ -6,6 +6,7 @@
 #include "step1_shadowmap/base/die.h"    // die_usage
 #include "step1_shadowmap/base/dump.h"   // dump_layers
 #include "step1_shadowmap/base/memory.h" // memory_check
+#include "step1_shadowmap/shadow_map.h"  // shadow_map_depths
 
 // Integers cannot be filtered, so the lookup reads single texels.
 static GLuint create_table(const Sat *sat)
@@ -193,7 +194,7 @@ void sat_dump(const Sat *sat, GLuint table, GLuint empty_vao,
               const char *directory)
 {
     GLuint boxes = gl_texture_array(GL_RG32F, sat->width, sat->height,
-                                    sat->layers, GL_NEAREST);
+                                    sat->layers, shadow_map_depths);
     static const char *const boxed[] = {"step4_blur/shaders/sat_box.glsl",
                                         "step4_blur/shaders/sat_dump.frag",
                                         NULL};

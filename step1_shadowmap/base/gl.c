@@ -49,9 +49,9 @@ static void check_memory(GLenum format, int width, int height, int layers)
 }
 
 GLuint gl_texture_array(GLenum format, int width, int height, int layers,
-                        GLenum filter)
+                        Sampling sampling)
 {
-    static const float far_depth[4] = {1, 1, 1, 1};
+    GLint filter = (GLint)sampling.filter;
     GLuint texture;
     check_memory(format, width, height, layers);
     glGenTextures(1, &texture);
@@ -60,12 +60,25 @@ GLuint gl_texture_array(GLenum format, int width, int height, int layers,
                  0, GL_RED, GL_FLOAT, NULL);
     GLenum target = GL_TEXTURE_2D_ARRAY;
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, (GLint)filter);
-    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, (GLint)filter);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, far_depth);
+    glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, sampling.far);
     return texture;
+}
+
+GLuint gl_sampler(Sampling sampling)
+{
+    GLint filter = (GLint)sampling.filter;
+    GLuint sampler;
+    glGenSamplers(1, &sampler);
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filter);
+    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filter);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glSamplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, sampling.far);
+    return sampler;
 }
 
 size_t gl_texel_bytes(GLenum format)

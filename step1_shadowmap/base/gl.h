@@ -66,11 +66,20 @@ bool gl_program_reload(Program *program);
 
 void gl_program_destroy(Program *program);
 
+// How a map is looked up.
+typedef struct Sampling {
+    GLenum filter; // GL_NEAREST or GL_LINEAR, between texels
+    float far[4];  // what it holds outside, and where nothing is drawn
+} Sampling;
+
 // A 2D array texture without mip-maps, `layers` x width x height texels, all
-// undefined. Outside it reads as 1 in every channel: far depth, and its
-// moments. `filter` is GL_NEAREST or GL_LINEAR.
+// undefined.
 GLuint gl_texture_array(GLenum format, int width, int height, int layers,
-                        GLenum filter);
+                        Sampling sampling);
+
+// A sampler object: bound to a unit it is used in place of what the texture
+// there has of its own.
+GLuint gl_sampler(Sampling sampling);
 
 // Bytes of one texel of the formats that these programs use.
 size_t gl_texel_bytes(GLenum format);

@@ -1,5 +1,7 @@
 // --moments central: a variance is no weighted mean of variances, so that 2 x 2
-// texels are read one by one and merged here and not by the texture unit.
+// texels are read one by one and merged here and not by the texture unit. The
+// texture has no filter, and a border at far depth. (texelFetch() would do, but
+// Mesa's software driver takes twice as long for it.)
 
 uniform sampler2DArray shadow_map;  // red, green: mean, variance of the depth
 
@@ -12,11 +14,8 @@ ivec2 level_size(int level)
 
 vec2 map_moments(ivec2 texel, int layer, int level)
 {
-    ivec2 size = level_size(level);
-    bool inside = all(greaterThanEqual(texel, ivec2(0))) &&
-                  all(lessThan(texel, size));
-    return inside ? texelFetch(shadow_map, ivec3(texel, layer), level).rg
-                  : far_moments;
+    vec2 middle = (vec2(texel) + 0.5) / vec2(level_size(level));
+    return textureLod(shadow_map, vec3(middle, float(layer)), float(level)).rg;
 }
 
 vec2 moments_between(vec2 uv, int layer, float level)

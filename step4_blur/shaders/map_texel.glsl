@@ -1,12 +1,12 @@
-// Reading a map whose outside is at far depth.
+// Reading single texels of a map: blur.c binds a sampler without a filter, with
+// a border at far depth. (texelFetch() would do, but Mesa's software driver
+// takes twice as long for it.)
 
 uniform sampler2DArray map;  // red, green: moments of the depth
 uniform int layer;
 
 vec2 map_texel(ivec2 texel)
 {
-    ivec2 size = textureSize(map, 0).xy;
-    bool inside = all(greaterThanEqual(texel, ivec2(0))) &&
-                  all(lessThan(texel, size));
-    return inside ? texelFetch(map, ivec3(texel, layer), 0).rg : far_moments;
+    vec2 middle = (vec2(texel) + 0.5) / vec2(textureSize(map, 0).xy);
+    return textureLod(map, vec3(middle, float(layer)), 0.0).rg;
 }
