@@ -6,18 +6,18 @@ enum { GROUP = 64 };
 Program running_box_program(ShaderFiles files, const MomentsSettings *moments)
 {
     const char *const shaders[] = {moments_merge_shader(moments),
-                                   "step4_blur/shaders/map_texel.glsl",
                                    "step4_blur/shaders/running_box.comp", NULL};
     return gl_compute_program(files, shaders);
 }
 
-// The first block of which some box's middle is at `low` or behind: its boxes
-// have theirs from so many texels before its start to so many after it.
+// The first block around which a box has its middle at `low` or behind. The
+// middles of one block's boxes are as many texels as it is long, and the first
+// of the map is the first one's: so no block is for boxes outside, and the same
+// boxes are added up in the same order wherever `low` is.
 static int first_start(int low, const int sides[2])
 {
     int width = sides[0] + 1 + sides[1];
-    int start = low - sides[0];
-    return start <= 0 ? 0 : (start + width - 1) / width * width;
+    return low / width * width + sides[1];
 }
 
 void running_box_apply(GLuint program, GLuint source, GLuint target,
@@ -25,10 +25,10 @@ void running_box_apply(GLuint program, GLuint source, GLuint target,
                        const int sides[2])
 {
     glUseProgram(program);
-    glBindImageTexture(0, target, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32F);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, source);
+    glBindImageTexture(0, source, 0, GL_TRUE, 0, GL_READ_ONLY, GL_RG32F);
+    glBindImageTexture(1, target, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32F);
     glUniform1i(glGetUniformLocation(program, "map"), 0);
+    glUniform1i(glGetUniformLocation(program, "blurred"), 1);
     glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
     for (int layer = 0; layer < plan->layer_count; layer++) {
         const Rect *rect = &texels[layer];
@@ -43,6 +43,7 @@ void running_box_apply(GLuint program, GLuint source, GLuint target,
                     first_start(rect->low[axis], sides), rect->high[axis]);
         glDispatchCompute((GLuint)((lines + GROUP - 1) / GROUP), 1, 1);
     }
-    // Next it is looked up, or read through a framebuffer.
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    // Next it is blurred again, or looked up, or read through a framebuffer.
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                    GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }

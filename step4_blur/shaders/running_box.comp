@@ -16,7 +16,9 @@ layout(local_size_x = 64) in;
 // after the one in the middle.
 const int width = sides.x + 1 + sides.y;
 
+layout(rg32f) readonly uniform image2DArray map;
 layout(rg32f) writeonly uniform image2DArray blurred;
+uniform int layer;
 uniform ivec2 axis;   // (1, 0) along u, (0, 1) along v
 uniform ivec2 lines;  // from the first one up to, not including, another
 uniform ivec2 middles;  // from the first block's start to where boxes' middles
@@ -40,7 +42,7 @@ bool inside(int along)
 
 vec2 line_texel(int along)
 {
-    return inside(along) ? texelFetch(map, place(along), 0).rg : far_moments;
+    return inside(along) ? imageLoad(map, place(along)).rg : far_moments;
 }
 
 // Keeps, for the box that begins i before start, the sum of all up to start.
