@@ -1,5 +1,6 @@
 #include "step5_chebyshev/chebyshev.h"
 
+#include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
 const Option chebyshev_options[] = {
@@ -59,19 +60,18 @@ const char *chebyshev_guard_shader(const ChebyshevSettings *settings,
                : "step5_chebyshev/shaders/guard_raw.glsl";
 }
 
-void chebyshev_apply(const ChebyshevSettings *settings,
-                     const GuardNumbers *guard, GLuint program)
+void chebyshev_constants(const ChebyshevSettings *settings,
+                         const GuardNumbers *guard,
+                         char text[CHEBYSHEV_CONSTANTS_BYTES])
 {
-    glUseProgram(program);
-    glUniform1f(glGetUniformLocation(program, "variance_bias"),
-                (float)settings->variance_bias);
-    glUniform1f(glGetUniformLocation(program, "bleed_reduction"),
-                (float)settings->bleed_reduction);
-    // What the program does not use has no location and is ignored.
-    glUniform1f(glGetUniformLocation(program, "min_variance"),
-                (float)settings->min_variance);
-    glUniform1f(glGetUniformLocation(program, "guard_spread"), guard->spread);
-    glUniform2fv(glGetUniformLocation(program, "guard_variance"), 1,
-                 guard->variance);
-    glUniform2fv(glGetUniformLocation(program, "guard_mean"), 1, guard->mean);
+    // No file uses all of them.
+    snprintf(text, CHEBYSHEV_CONSTANTS_BYTES,
+             "const float min_variance = %.9g, variance_bias = %.9g, "
+             "bleed_reduction = %.9g, guard_spread = %.9g;"
+             "const vec2 guard_variance = vec2(%.9g, %.9g), "
+             "guard_mean = vec2(%.9g, %.9g);",
+             settings->min_variance, settings->variance_bias,
+             settings->bleed_reduction, (double)guard->spread,
+             (double)guard->variance[0], (double)guard->variance[1],
+             (double)guard->mean[0], (double)guard->mean[1]);
 }

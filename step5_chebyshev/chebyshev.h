@@ -2,8 +2,6 @@
 #ifndef STEP5_CHEBYSHEV_H
 #define STEP5_CHEBYSHEV_H
 
-#include <glad/gl.h> // GLuint
-
 #include "step1_shadowmap/base/options.h" // Option
 #include "step3_moments/moments.h"        // MomentsSettings
 #include "step5_chebyshev/guard.h"        // GuardNumbers
@@ -26,8 +24,11 @@ const char *chebyshev_reduction_shader(const ChebyshevSettings *settings);
 const char *chebyshev_guard_shader(const ChebyshevSettings *settings,
                                    const MomentsSettings *moments);
 
-// Sets the uniforms of chebyshev.glsl and of these two.
-void chebyshev_apply(const ChebyshevSettings *settings,
-                     const GuardNumbers *guard, GLuint program);
+enum { CHEBYSHEV_CONSTANTS_BYTES = 320 };
+
+// What chebyshev.glsl and these two take for constants, in GLSL.
+void chebyshev_constants(const ChebyshevSettings *settings,
+                         const GuardNumbers *guard,
+                         char text[CHEBYSHEV_CONSTANTS_BYTES]);
 
 #endif

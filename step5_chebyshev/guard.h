@@ -97,7 +97,7 @@ typedef struct GuardChain {
     int count;
 } GuardChain;
 
-// The uniforms of guard_raw.glsl and guard_central.glsl.
+// The constants of guard_raw.glsl and guard_central.glsl.
 typedef struct GuardNumbers {
     float spread;
     float variance[2];

@@ -64,6 +64,7 @@ static void create(void)
         state.map = moments_create(files, &state.views, &state.shading.moments);
         state.filter = blur_create(files, &state.shading.blur, &state.map);
     }
+    state.base.constants = shading_constants(&state.shading, &state.filter);
     state.picture = shading_picture(&state.shading, &state.base, &state.facts);
     state.deferred =
         deferred_create(state.shading.deferred, &state.base, &state.picture);
@@ -81,8 +82,7 @@ static void draw_frame(void)
         stopwatch_lap(&state.stopwatch, "blur", state.filter.touched);
     }
     blur_set_lookup(&state.filter, &state.views, state.picture.program.id);
-    shading_apply(&state.shading, &state.filter, &state.views,
-                  state.picture.program.id);
+    shading_apply(&state.shading, &state.views, state.picture.program.id);
     deferred_draw(&state.deferred, &state.picture, &state.scene,
                   &state.geometry, &state.views, state.filter.result);
     stopwatch_lap(&state.stopwatch, "shading", state.picture.touched);

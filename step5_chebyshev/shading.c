@@ -273,6 +273,15 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
     *files = NULL;
 }
 
+const char *shading_constants(ShadingSettings *settings, const Blur *filter)
+{
+    int lookups = settings->soft ? SOFT_TAPS : settings->blur.anisotropy;
+    GuardNumbers guard =
+        guard_of_settings(&settings->moments, &settings->blur, filter, lookups);
+    chebyshev_constants(&settings->chebyshev, &guard, settings->constants);
+    return settings->constants;
+}
+
 SceneDraw shading_picture(const ShadingSettings *settings,
                           const BaseSettings *base, Facts *facts)
 {
@@ -282,13 +291,9 @@ SceneDraw shading_picture(const ShadingSettings *settings,
                                   facts, visibility);
 }
 
-void shading_apply(const ShadingSettings *settings, const Blur *filter,
-                   const Views *views, GLuint program)
+void shading_apply(const ShadingSettings *settings, const Views *views,
+                   GLuint program)
 {
-    int lookups = settings->soft ? SOFT_TAPS : settings->blur.anisotropy;
-    GuardNumbers guard =
-        guard_of_settings(&settings->moments, &settings->blur, filter, lookups);
-    chebyshev_apply(&settings->chebyshev, &guard, program);
     if (settings->soft) {
         soft_apply(&settings->softness, views,
                    moments_projected(&settings->moments), program);

@@ -19,6 +19,7 @@ typedef struct ShadingSettings {
     SoftSettings softness;
     bool hybrid; // comparisons in its penumbra, not moments
     int reach;   // texels that a lookup reads to each side; 0: not known yet
+    char constants[CHEBYSHEV_CONSTANTS_BYTES]; // of shading_constants
 } ShadingSettings;
 
 extern const Option shading_options[];
@@ -47,13 +48,19 @@ enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 // SHADING_MAX_SHADERS with the NULL at the end.
 void shading_shaders(const ShadingSettings *settings, const char *files[]);
 
+// What these files take for constants (see ShaderFiles), once the map's filter
+// exists. A shader reads them in less time than uniforms: Mesa's software
+// driver gathers each number of a uniform for every pixel. Valid as long as the
+// settings.
+const char *shading_constants(ShadingSettings *settings, const Blur *filter);
+
 // The picture that these files and the scene's light make, see
 // scene_draw_create.
 SceneDraw shading_picture(const ShadingSettings *settings,
                           const BaseSettings *base, Facts *facts);
 
 // Sets the uniforms of these files, but those of the filter's own lookup.
-void shading_apply(const ShadingSettings *settings, const Blur *filter,
-                   const Views *views, GLuint program);
+void shading_apply(const ShadingSettings *settings, const Views *views,
+                   GLuint program);
 
 #endif

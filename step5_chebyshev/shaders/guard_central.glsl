@@ -1,10 +1,12 @@
 // --min-variance auto, of mean and variance: what rounding can have taken from
 // the standard deviation is added to it, what it can have taken from the mean
 // is added too. guard.h proves that p is then never below the lit share.
-
-uniform float guard_spread;   // of the deviation
-uniform vec2 guard_variance;  // of the root of M2 (to the deviation); underflow
-uniform vec2 guard_mean;      // of M1; underflow
+//
+// chebyshev.c puts constants in front:
+//     const float guard_spread;   of the deviation
+//     const vec2 guard_variance;  of the root of M2 (to the deviation);
+//                                 underflow
+//     const vec2 guard_mean;      of M1; underflow
 
 // From 1/2 to 1 all floats are equally far apart: rounding moves them by no
 // larger a part of 1/2.

@@ -1,8 +1,8 @@
 // --min-variance X: what all published programs do. The variance is a small
 // difference of two rounded numbers and can come out too small, or negative. So
-// it is at least a constant that somebody found by looking.
-
-uniform float min_variance;  // of the squared depth range
+// it is at least a constant that somebody found by looking, which chebyshev.c
+// puts in front:
+//     const float min_variance;  of the squared depth range
 
 // The mean and the variance of the depths.
 vec2 guarded(vec2 moments, Receiver receiver)

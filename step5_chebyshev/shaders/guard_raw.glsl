@@ -1,9 +1,10 @@
 // --min-variance auto, of M1 and M2: what rounding can have taken from the
 // variance is added to it, what it can have taken from the mean is added too.
 // guard.h proves that p is then never below the lit share.
-
-uniform vec2 guard_variance;  // of M2, and whatever the moments are
-uniform vec2 guard_mean;      // of M1, and whatever the moments are
+//
+// chebyshev.c puts constants in front:
+//     const vec2 guard_variance;  of M2, and whatever the moments are
+//     const vec2 guard_mean;      of M1, and whatever the moments are
 
 // The mean and the variance of the depths, at most.
 vec2 guarded(vec2 moments, Receiver receiver)

@@ -1,7 +1,8 @@
 // Light bleeds where the bound is loose; what is left of it below A is cut off
 // and the rest stretched. Lauritzen, GPU Gems 3, chapter 8.
-
-uniform float bleed_reduction;  // A in [0, 1)
+//
+// chebyshev.c puts A in front, a constant:
+//     const float bleed_reduction;  in [0, 1)
 
 float reduce_bleeding(float p_max)
 {
