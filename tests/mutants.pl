@@ -148,10 +148,9 @@ my %mutants = (
     ],
     'the map\'s edge goes on outside' => [
         'step4',
-        'step4_blur/shaders/map_texel.glsl',
-        ': far_moments',
-        ': texelFetch(map, ivec3(clamp(texel, ivec2(0), size - 1), layer),'
-          . ' 0).rg'
+        'step1_shadowmap/base/gl.c',
+        '(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER',
+        '(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE'
     ],
     'the mean in place of the variance' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',
@@ -200,8 +199,25 @@ my %mutants = (
         'smoothstep(bleed_reduction', 'smoothstep(0.0'
     ],
     'what is outside the map is near' => [
-        'step4', 'step4_blur/shaders/map_texel.glsl',
-        'far_moments', 'vec2(0.0)'
+        'step4', 'step4_blur/blur.c',
+        'single.filter = GL_NEAREST;',
+        'single = (Sampling){GL_NEAREST, {0, 0, 0, 0}};'
+    ],
+    'a kernel compiled wider than was asked for' => [
+        'step2', 'step2_pcf/pcf.c',
+        '%d;", settings->kernel', '%d;", settings->kernel + 2'
+    ],
+    'the blur reads between texels' => [
+        'step4', 'step4_blur/blur.c',
+        'single.filter = GL_NEAREST', 'single.filter = GL_LINEAR'
+    ],
+    'central moments that the texture unit averages' => [
+        'step5', 'step3_moments/moments.c',
+        '(Sampling){GL_NEAREST', '(Sampling){GL_LINEAR'
+    ],
+    'far depth that varies' => [
+        'central', 'step3_moments/moments.c',
+        '{1, 0, 1, 1}', '{1, 1, 1, 1}'
     ],
     'no least variance' => [
         'step5', 'step5_chebyshev/shaders/guard_constant.glsl',
@@ -619,8 +635,9 @@ my %mutants = (
     'the border cut off before the blur' => [
         'seams',
         'step4_blur/shaders/map_texel.glsl',
-        'greaterThanEqual(texel, ivec2(0))',
-        'greaterThanEqual(texel, size / 16)'
+        'return textureLod',
+        'if (any(lessThan(texel, textureSize(map, 0).xy / 16)))'
+          . ' { return far_moments; } return textureLod'
     ],
     'a limit on the slope that grazing light passes' => [
         'scenes', 'step1_shadowmap/shaders/bias.glsl',
@@ -664,8 +681,8 @@ my %mutants = (
     'blocks that start where the rectangle does' => [
         'plan',
         'step4_blur/running_box.c',
-        '(start + width - 1) / width * width',
-        'start'
+        'low / width * width + sides[1]',
+        'low + sides[1]'
     ],
     'a level of the chain that is not wide enough' => [
         'plan',                   'step4_blur/blur_plan.c',
