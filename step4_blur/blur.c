@@ -12,9 +12,9 @@ static BlurTarget create_target(Blur *blur, const ShadowMap *map)
 {
     blur->bytes += (size_t)blur->width * (size_t)blur->height *
                    (size_t)blur->layers * gl_texel_bytes(map->format);
-    BlurTarget target = {.texture =
-                             gl_texture_array(map->format, blur->width, blur->height,
-                                              blur->layers, map->sampling)};
+    BlurTarget target = {.texture = gl_texture_array(map->format, blur->width,
+                                                     blur->height, blur->layers,
+                                                     map->sampling)};
     for (int layer = 0; layer < blur->layers; layer++) {
         target.framebuffers[layer] =
             gl_layer_framebuffer(target.texture, layer, 0);

@@ -275,6 +275,9 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
 
 const char *shading_constants(ShadingSettings *settings, const Blur *filter)
 {
+    if (filter->layers == 0) {
+        return NULL;
+    }
     int lookups = settings->soft ? SOFT_TAPS : settings->blur.anisotropy;
     GuardNumbers guard =
         guard_of_settings(&settings->moments, &settings->blur, filter, lookups);

@@ -49,9 +49,9 @@ enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 void shading_shaders(const ShadingSettings *settings, const char *files[]);
 
 // What these files take for constants (see ShaderFiles), once the map's filter
-// exists. A shader reads them in less time than uniforms: Mesa's software
-// driver gathers each number of a uniform for every pixel. Valid as long as the
-// settings.
+// exists; NULL if there is no map. A shader reads them in less time than
+// uniforms: Mesa's software driver gathers each number of a uniform for every
+// pixel. Valid as long as the settings.
 const char *shading_constants(ShadingSettings *settings, const Blur *filter);
 
 // The picture that these files and the scene's light make, see
