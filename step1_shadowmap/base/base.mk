@@ -63,6 +63,7 @@ base := \
     step1_shadowmap/base/stopwatch.h step1_shadowmap/base/stopwatch.c \
     step1_shadowmap/base/dump.h step1_shadowmap/base/dump.c \
     step1_shadowmap/base/image.h step1_shadowmap/base/image.c \
+    step1_shadowmap/base/image_png.h step1_shadowmap/base/image_png.c \
     step1_shadowmap/base/image_encode.h step1_shadowmap/base/image_encode.cpp \
     step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
     step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
@@ -72,7 +73,7 @@ base := \
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= -O2 -g
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-PACKAGES := osmesa glfw3 cglm
+PACKAGES := osmesa glfw3 cglm libpng
 BUILD := $(ROOT)/build
 # Recursive on purpose: the set-up may install the packages first.
 INCLUDES = -I$(ROOT) -I$(BUILD)/glad/include \

@@ -7,6 +7,7 @@
 #include "step1_shadowmap/base/die.h"          // die
 #include "step1_shadowmap/base/file.h"         // file_write
 #include "step1_shadowmap/base/image_encode.h" // ImageBytes
+#include "step1_shadowmap/base/image_png.h"    // image_encode_png
 #include "step1_shadowmap/base/memory.h"       // memory_check
 
 bool image_name_is_known(const char *path)
@@ -20,8 +21,8 @@ typedef ImageBytes ImageEncode(const char *path, const float *pixels, int width,
                                int height, int channels);
 
 // OpenImageIO stands on some 250 other libraries. Loading them takes longer
-// than a frame, so they are loaded with the first file to write: not for
-// --help, a wrong option or a window.
+// than a frame, so they are loaded with the first file that needs them: not for
+// --help, a wrong option, a window or a PNG.
 static ImageEncode *load_encoder(void)
 {
     void *library = dlopen("image.so", RTLD_LAZY); // beside, see base.mk
@@ -40,7 +41,10 @@ void image_write(const char *path, const float *pixels, int width, int height,
 {
     size_t values = (size_t)width * (size_t)height * (size_t)channels;
     memory_check(values * (sizeof *pixels + 1), "the encoding of %s", path);
-    ImageBytes file = load_encoder()(path, pixels, width, height, channels);
+    ImageBytes file =
+        strcmp(strrchr(path, '.'), ".png") == 0
+            ? image_encode_png(pixels, width, height, channels)
+            : load_encoder()(path, pixels, width, height, channels);
     if (file.bytes == NULL) {
         die("cannot write %s: %s", path, file.reason);
     }

@@ -2,10 +2,8 @@
 // library of its own, loaded by image.c when there is something to write.
 #include "step1_shadowmap/base/image_encode.h"
 
-#include <OpenImageIO/color.h>      // linear_to_sRGB
 #include <OpenImageIO/filesystem.h> // IOVecOutput
 #include <OpenImageIO/imageio.h>    // ImageOutput, ImageSpec
-#include <algorithm>                // clamp
 #include <cstddef>                  // ptrdiff_t
 #include <cstdio>                   // snprintf
 #include <cstdlib>                  // malloc
@@ -24,15 +22,6 @@ static bool write_rows(OIIO::ImageOutput &output, const float *pixels,
         pixels + std::ptrdiff_t(spec.height - 1) * spec.width * spec.nchannels;
     return output.write_image(OIIO::TypeDesc::FLOAT, top, OIIO::AutoStride,
                               -row);
-}
-
-static std::vector<float> encode_srgb(const float *pixels, std::size_t count)
-{
-    std::vector<float> encoded(count);
-    for (std::size_t i = 0; i < count; i++) {
-        encoded[i] = OIIO::linear_to_sRGB(std::clamp(pixels[i], 0.0f, 1.0f));
-    }
-    return encoded;
 }
 
 // The file's bytes, or nothing and the reason. Encoded in memory: the writers
@@ -54,25 +43,6 @@ static std::vector<unsigned char> encode(const char *path, const float *pixels,
     return bytes;
 }
 
-static std::vector<unsigned char> encode_picture(const char *path,
-                                                 const float *pixels, int width,
-                                                 int height, int channels,
-                                                 std::string &reason)
-{
-    bool png = std::strcmp(std::strrchr(path, '.'), ".png") == 0;
-    OIIO::ImageSpec spec(width, height, channels,
-                         png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-    // Else the writer puts the time there, and no two files are the same.
-    spec.attribute("DateTime", "1970:01:01 00:00:00");
-    std::vector<float> encoded;
-    if (png) {
-        spec.attribute("oiio:ColorSpace", "sRGB");
-        encoded = encode_srgb(pixels, std::size_t(width) * height * channels);
-        pixels = encoded.data();
-    }
-    return encode(path, pixels, spec, reason);
-}
-
 ImageBytes image_encode(const char *path, const float *pixels, int width,
                         int height, int channels)
 {
@@ -81,8 +51,10 @@ ImageBytes image_encode(const char *path, const float *pixels, int width,
     ImageBytes result = {};
     std::string reason;
     try {
-        std::vector<unsigned char> bytes =
-            encode_picture(path, pixels, width, height, channels, reason);
+        OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
+        // Else the writer puts the time there, and no two files are the same.
+        spec.attribute("DateTime", "1970:01:01 00:00:00");
+        std::vector<unsigned char> bytes = encode(path, pixels, spec, reason);
         if (!bytes.empty()) {
             result.bytes = std::malloc(bytes.size());
             result.count = bytes.size();

@@ -21,27 +21,12 @@ sub seconds_of {
     return time - $begun;
 }
 
-# Seconds that loading a library takes, in a process that has none of those
-# that it stands on; 0 where it cannot be loaded.
-my $LOAD = <<'END';
-my $begun = time;
-print DynaLoader::dl_load_file( $ARGV[0] ) ? time - $begun : 0;
-END
-
-sub load_seconds {
-    my ($library) = @_;
-    my $run = command( $^X, '-MDynaLoader', '-MTime::HiRes=time', '-e', $LOAD,
-        $library );
-    return $run->{out} || 0;
-}
-
 # Of the default picture of step 5: the median seconds of so many rounds, and
 # [what, seconds] of its parts.
 sub startup {
     my ($rounds) = @_;
     my $folder   = tempdir( CLEANUP => 1 );
     my $program  = program(5);
-    my $library  = $program =~ s{[^/]+$}{image.so}r;
     my @picture  = ( '--output', "$folder/a.png" );
 
     # The last program to be compiled.
@@ -56,16 +41,14 @@ sub startup {
     for ( 1 .. $rounds ) {
         push @{ $samples{$_} }, seconds_of( @{ $stop{$_} } )
           for sort keys %stop;
-        push @{ $samples{load} }, load_seconds($library);
     }
     my %at    = map { $_ => quantile( 0.5, @{ $samples{$_} } ) } keys %samples;
     my @parts = (
         [ 'the program and OSMesa loaded', $at{help} ],
         [ 'context, scene, shaders',       $at{broken} - $at{help} ],
-        [ 'OpenImageIO loaded',            $at{load} ],
         [
             'machine code of the shaders, the map',
-            $at{small} - $at{broken} - $at{load}
+            $at{small} - $at{broken}
         ],
         [ 'the pixels drawn, encoded, written', $at{whole} - $at{small} ],
     );
