@@ -50,7 +50,7 @@ int blur_filters(const BlurSettings *settings,
 // Whether running boxes can blur with these settings.
 bool blur_can_run(const BlurSettings *settings, const MomentsSettings *moments);
 
-// Whether they do, and not fragments: as --blur-by says, or the quicker ones.
+// Whether they do, and not fragments: as --blur-by says, or for a wide box.
 // Refuses (status 2) compute shaders where the driver has none.
 bool blur_runs(const BlurSettings *settings, const MomentsSettings *moments);
 

@@ -132,7 +132,7 @@ is( $run->{status}, 1, 'a claim that fails: the exit status tells' );
 like( $run->{out}, qr/^FAILS $_/m, "a claim that fails: $_" )
   for 'from the start to the file: 0\.[7-9]\d+',
   'VSM, box over width, last exponent: 0\.99',
-  'blur of 1024\^2, boxes in compute: radius 64 over radius 2: 32\.00';
+  'blur of 1024\^2, boxes: radius 64 in compute over 2 in fragments: 32\.00';
 like( $run->{out}, qr/^holds PCF/m, 'another one holds' );
 
 $run = bench( programs( 'late', $right . <<'END' ) );
