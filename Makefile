@@ -21,8 +21,7 @@ include tests/tests.mk
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
     python3-glad:command:glad libosmesa6-dev:module:osmesa \
     libglfw3-dev:module:glfw3 libcglm-dev:module:cglm \
-    libpng-dev:module:libpng \
-    libopenimageio-dev:module:OpenImageIO \
+    libpng-dev:module:libpng libopenexr-dev:module:OpenEXR \
     openimageio-tools:command:oiiotool
 
 set-up: ## install the packages that are missing (DEPS=no: only name them)

@@ -787,7 +787,7 @@ sub copy_to {
 # their shaders' folder.
 my @SOURCES = (
     'Makefile', 'tests/tests.mk', glob('step*'), glob('build/obj/step*'),
-    qw(build/glad build/image.so)
+    'build/glad'
 );
 my @ORACLE = qw(tests/oracle tests/stability build/obj/tests);
 my @REPORT = qw(tests/lib tests/report tests/robustness README.md);

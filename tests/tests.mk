@@ -1,6 +1,7 @@
 # The tests, and what only they need. `make test STEP=3` runs one step's.
 
 TEST_RECOGNISED := libglm-dev:module:glm perl:command:prove \
+    libopenimageio-dev:module:OpenImageIO \
     libembree-dev:header:/usr/include/embree*/rtcore.h \
     nlohmann-json3-dev:header:/usr/include/nlohmann/json.hpp \
     gnuplot-nox:command:gnuplot xvfb:command:Xvfb \
@@ -54,14 +55,12 @@ $(BUILD)/oracle: $(ORACLE_OBJECTS) $(ORACLE_SHARED) $(ORACLE_BOUNDS)
 # older than they are is not used.
 define warm_rule
 $(BUILD)/warm/$1: $(BUILD)/obj/tests/warm.c.o $(call objects,$1) \
-    $(BUILD)/glad/gl.o | $(BUILD)/$1 $(BUILD)/warm/image.so
+    $(BUILD)/glad/gl.o | $(BUILD)/$1
+	@mkdir -p $$(@D)
 	@echo link $$@
-	@$$(CC) $$(LDFLAGS) $$(BESIDE) -Wl,--wrap=main -o $$@ $$^ $$(LIBRARIES)
+	@$$(CC) $$(LDFLAGS) -Wl,--wrap=main -o $$@ $$^ $$(LIBRARIES)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call warm_rule,$p)))
-$(BUILD)/warm/image.so: | $(BUILD)/image.so
-	@mkdir -p $(@D)
-	@ln -sf ../image.so $@
 -include $(BUILD)/obj/tests/warm.c.d
 
 .PHONY: warm

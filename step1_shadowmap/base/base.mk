@@ -63,8 +63,8 @@ base := \
     step1_shadowmap/base/stopwatch.h step1_shadowmap/base/stopwatch.c \
     step1_shadowmap/base/dump.h step1_shadowmap/base/dump.c \
     step1_shadowmap/base/image.h step1_shadowmap/base/image.c \
-    step1_shadowmap/base/image_png.h step1_shadowmap/base/image_png.c \
-    step1_shadowmap/base/image_encode.h step1_shadowmap/base/image_encode.cpp \
+    step1_shadowmap/base/image_encode.h step1_shadowmap/base/image_png.c \
+    step1_shadowmap/base/image_exr.cpp \
     step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
     step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
@@ -73,38 +73,25 @@ base := \
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= -O2 -g
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-PACKAGES := osmesa glfw3 cglm libpng
+PACKAGES := osmesa glfw3 cglm libpng OpenEXR
 BUILD := $(ROOT)/build
 # Recursive on purpose: the set-up may install the packages first.
 INCLUDES = -I$(ROOT) -I$(BUILD)/glad/include \
     $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I $(PACKAGES)))
-LIBRARIES = $(shell pkg-config --libs $(PACKAGES)) -lm
+LIBRARIES = $(shell pkg-config --libs $(PACKAGES)) -lstdc++ -lm
 
-objects = $(addprefix $(BUILD)/obj/,$(addsuffix .o,$(filter %.c,$($1) $(base))))
+objects = $(addprefix $(BUILD)/obj/,$(addsuffix .o,$(filter %.c %.cpp,$($1) $(base))))
 all_objects := $(sort $(foreach p,$(PROGRAMS),$(call objects,$p)))
 
 .DELETE_ON_ERROR:
 programs: $(PROGRAMS:%=$(BUILD)/%)
 
-# Where the programs look for image.so. As a RPATH, not a RUNPATH: that holds
-# for a dlopen() that a sanitizer makes in their place, too.
-BESIDE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
-
 define link_rule
 $(BUILD)/$1: $(call objects,$1) $(BUILD)/glad/gl.o
 	@echo link $$@
-	@$$(CC) $$(LDFLAGS) $$(BESIDE) -o $$@ $$^ $$(LIBRARIES)
+	@$$(CC) $$(LDFLAGS) -o $$@ $$^ $$(LIBRARIES)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call link_rule,$p)))
-
-# What writes pictures is loaded by the programs only when they write one.
-$(PROGRAMS:%=$(BUILD)/%): | $(BUILD)/image.so
-image_encode := $(BUILD)/obj/step1_shadowmap/base/image_encode.cpp.o
-$(image_encode): SHARED := -fPIC
-$(image_encode) $(BUILD)/image.so: PACKAGES := OpenImageIO
-$(BUILD)/image.so: $(image_encode)
-	@echo link $@
-	@$(CXX) $(LDFLAGS) -shared -o $@ $^ $(LIBRARIES)
 
 $(BUILD)/obj/%.c.o: $(ROOT)/%.c $(BUILD)/glad/include/glad/gl.h
 	@mkdir -p $(@D)
@@ -115,7 +102,7 @@ $(BUILD)/obj/%.c.o: $(ROOT)/%.c $(BUILD)/glad/include/glad/gl.h
 $(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | $(SETUP)
 	@mkdir -p $(@D)
 	@echo compile $*.cpp
-	@$(CXX) -std=c++17 $(CXXFLAGS) $(SHARED) $(WARNINGS) $(INCLUDES) \
+	@$(CXX) -std=c++17 $(CXXFLAGS) $(WARNINGS) $(INCLUDES) \
 	    -MMD -MP -c -o $@ $<
 
 # The GL loader, written by glad from the specification it carries (2>&1: it
@@ -129,4 +116,4 @@ $(BUILD)/glad/include/glad/gl.h: | $(SETUP)
 $(BUILD)/glad/gl.o: $(BUILD)/glad/include/glad/gl.h
 	@$(CC) $(CFLAGS) -I$(BUILD)/glad/include -c -o $@ $(BUILD)/glad/src/gl.c
 
--include $(all_objects:.o=.d) $(image_encode:.o=.d)
+-include $(all_objects:.o=.d)

@@ -1,4 +1,4 @@
-// Pictures and maps on disk, through OpenImageIO.
+// Pictures and maps on disk.
 #ifndef BASE_IMAGE_H
 #define BASE_IMAGE_H
 

@@ -1,4 +1,6 @@
-// A picture as the bytes of a file; in the library image.so.
+// A picture as the bytes of a file: see image_write. By the libraries of the
+// two formats themselves: OpenImageIO, which stands on them, stands on some 250
+// others, and loading those takes longer than a frame.
 #ifndef BASE_IMAGE_ENCODE_H
 #define BASE_IMAGE_ENCODE_H
 
@@ -14,9 +16,13 @@ typedef struct ImageBytes {
     char reason[256]; // why it failed
 } ImageBytes;
 
-// See image_write.
-ImageBytes image_encode(const char *path, const float *pixels, int width,
-                        int height, int channels);
+// 1 or 3 channels.
+ImageBytes image_encode_png(const float *pixels, int width, int height,
+                            int channels);
+
+// 1 to 4 channels.
+ImageBytes image_encode_exr(const float *pixels, int width, int height,
+                            int channels);
 
 #ifdef __cplusplus
 }

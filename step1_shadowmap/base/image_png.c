@@ -1,4 +1,4 @@
-#include "step1_shadowmap/base/image_png.h"
+#include "step1_shadowmap/base/image_encode.h"
 
 #include <math.h>   // powf
 #include <png.h>    // png_image_write_to_memory

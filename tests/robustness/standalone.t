@@ -16,7 +16,7 @@ my $work = tempdir( CLEANUP => 1 );
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES STEP DEPS BUILD)};
 delete @ENV{qw(CFLAGS CXXFLAGS LDFLAGS)};
 
-# The compiler does not change the picture, only how long image_encode.cpp takes.
+# The compiler does not change the picture, only how long image_exr.cpp takes.
 my @quick = qw(-j2 DEPS=no CXXFLAGS=-O0);
 
 sub make {
