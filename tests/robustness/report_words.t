@@ -303,13 +303,15 @@ is( claims( point( 'VSM 3', [1], 0.1, missing => 'it crashed' ) ),
 sub growth {
     my ( $name, $narrow, $wide ) = @_;
     my @claims = claims(
-        point( "$name 7",  $narrow, 0.1, scene => 'thin' ),
-        point( "$name 31", $wide,   0.1, scene => 'thin' )
+        point( 'hard',     [ 0.6, 0.5 ], 0.1, scene => 'thin' ),
+        point( "$name 7",  $narrow,      0.1, scene => 'thin' ),
+        point( "$name 31", $wide,        0.1, scene => 'thin' )
     );
     return outcome( grep { $_->{text} =~ /shading/ } @claims );
 }
-is( growth( 'PCF', [1], [8.1] ),  'holds', 'PCF 31 shades 8 times as long' );
-is( growth( 'PCF', [1], [7.9] ),  'FAILS', 'or the claim fails' );
+is( growth( 'PCF', [1], [4.55] ),
+    'holds', 'PCF 31 adds 8 times as much to hard shadows as PCF 7' );
+is( growth( 'PCF', [1], [4.45] ), 'FAILS', 'or the claim fails' );
 is( growth( 'VSM', [1], [1.19] ), 'holds', 'VSM 31 shades no longer' );
 is( growth( 'VSM', [1], [1.21] ), 'FAILS', 'or the claim fails' );
 is( growth( 'VSM', [ 9, 1 ], [ 1, 5 ] ),
