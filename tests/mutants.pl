@@ -215,6 +215,18 @@ my %mutants = (
         'step5', 'step3_moments/moments.c',
         '(Sampling){GL_NEAREST', '(Sampling){GL_LINEAR'
     ],
+    'a PNG upside down' => [
+        'files', 'step1_shadowmap/base/image_png.c',
+        '-width * channels', 'width * channels'
+    ],
+    'a PNG of linear values' => [
+        'files', 'step1_shadowmap/base/image_png.c',
+        '(255 * encoded', '(255 * value'
+    ],
+    'an EXR upside down' => [
+        'files', 'step1_shadowmap/base/image_exr.cpp',
+        'row * std::size_t(y);', 'row * std::size_t(height - 1 - y);'
+    ],
     'far depth that varies' => [
         'central', 'step3_moments/moments.c',
         '{1, 0, 1, 1}', '{1, 1, 1, 1}'
@@ -806,6 +818,7 @@ sub plant {
     my $folder = tempdir( CLEANUP => 1 );
     my ($kind) = map { /\.(cpp|c|h|p[lm])$/ ? $1 : () } @change;
     $kind //= 'shader';
+    $kind = 'c' if $change[0] =~ /^step.*cpp$/;    # of the programs
     copy_to( $folder, @REPORT, glob('step*') ) if $kind =~ /^p/;
     copy_to( $folder, @SOURCES ) if $kind =~ /^(?:c|h|cpp)$/;
     copy_to( $folder, @ORACLE )  if $kind eq 'cpp';
