@@ -312,7 +312,11 @@ my %mutants = (
         'roundEven(', 'floor('
     ],
     'outside a central map depths vary' => [
-        'central', 'step3_moments/shaders/merge_central.glsl',
+        'central', 'step3_moments/moments.c',
+        'GL_NEAREST, {1, 0, ', 'GL_NEAREST, {1, 1, '
+    ],
+    'outside a central map boxes find depths that vary' => [
+        'boxes', 'step3_moments/shaders/merge_central.glsl',
         'vec2(1.0, 0.0)', 'vec2(1.0, 1.0)'
     ],
     'a tenth of what rounds the mean' => [
