@@ -11,8 +11,9 @@ use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
 use FindBin;
-use lib "$FindBin::Bin/report";
+use lib "$FindBin::Bin/report", "$FindBin::Bin/lib";
 use Mistakes qw(%MISTAKES);
+use Plant    qw(planted);
 
 # name => [test that must fail, file, what stands there, the mistake, and where
 # one file is not enough another three of these]
@@ -762,6 +763,22 @@ my %mutants = (
         'object->transform, sizeof object->transform',
         'object->albedo, sizeof object->albedo'
     ],
+    'every answer is right' => [
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        '/^FAIL (.*)/ ? $1', '/^FAIL (.*)/ ? ()'
+    ],
+    'the last known mistake is everybody\'s' => [
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        '|| $away > $least', ''
+    ],
+    'an exercise with its solution' => [
+        'robustness/exercise', 'tests/exercise/Tasks.pm',
+        '$text =~ s', '( my $empty = $text ) =~ s'
+    ],
+    'what was changed besides the functions' => [
+        'robustness/exercise', 'tests/exercise/grade.pl',
+        '&& compare(@pictures) == 0', ''
+    ],
     'a map that is drawn again for what is elsewhere' => [
         'robustness/touched',
         'step1_shadowmap/map_plan.c',
@@ -806,7 +823,8 @@ my @SOURCES = (
     'build/glad'
 );
 my @ORACLE = qw(tests/oracle tests/stability build/obj/tests);
-my @REPORT = qw(tests/lib tests/report tests/robustness README.md);
+my @REPORT = qw(Makefile tests/tests.mk tests/lib tests/exercise tests/report
+  tests/robustness README.md);
 
 sub build_in {
     my ( $folder, $target ) = @_;
@@ -837,10 +855,7 @@ sub plant {
 
 sub plant_one {
     my ( $folder, $path, $from, $to ) = @_;
-    my $text  = read_file($path);
-    my $place = index $text, $from;
-    $place >= 0 or die "$path does not hold '$from' any more\n";
-    substr( $text, $place, length $from ) = $to;
+    my $text = planted( $path, read_file($path), $from, $to );
     make_path( dirname("$folder/$path") );
     open my $file, '>', "$folder/$path" or die "cannot write: $!\n";
     print {$file} $text;

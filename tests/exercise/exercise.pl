@@ -1,0 +1,34 @@
+#!/usr/bin/perl
+# A step to be written: a stand-alone copy whose functions (Lessons.pm) are empty.
+# usage: exercise.pl STEP DIR
+use strict;
+use warnings;
+
+use FindBin;
+use lib $FindBin::Bin, "$FindBin::Bin/../lib";
+use Tasks;
+use VSM;
+
+my ( $step, $folder ) = @ARGV;
+if ( !tasks( $step // '' ) || ( $folder // '' ) eq '' ) {
+    print STDERR "say which and where: make exercise STEP=5 DIR=mine\n";
+    exit 2;
+}
+if ( -e $folder && ( !-d $folder || ( () = everything_below($folder) ) ) ) {
+    print STDERR "$folder is there already, and may be somebody's work\n";
+    exit 2;
+}
+my $run = command( '/usr/bin/env', 'make', '-s', '-C', root(),
+    'standalone', "STEP=$step", 'DIR=' . File::Spec->rel2abs($folder) );
+if ( $run->{status} ) {
+    print STDERR $run->{out}, $run->{err};
+    exit 1;
+}
+for my $task ( tasks($step) ) {
+    my $file = task_file( $step, $task );
+    spew( "$folder/$file", emptied( $step, $task ) );
+    print "to be written: $task->{function}\n    in $folder/$file\n";
+}
+print "make -C $folder\n",
+  "$folder/build/", program_name($step), " --output mine.png\n",
+  "make grade STEP=$step DIR=$folder\n";

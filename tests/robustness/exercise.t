@@ -1,0 +1,121 @@
+# `make exercise` and `make grade`: every mistake that the marks know is told
+# from the others, by what it draws.
+use strict;
+use warnings;
+
+use File::Path qw(make_path);
+use File::Temp qw(tempdir);
+use FindBin;
+use lib "$FindBin::Bin/../exercise";
+use Test::More;
+use Marks;
+use Tasks;
+use VSM;
+
+my $work = tempdir( CLEANUP => 1 );
+
+# What `make test` hands down to a make below it.
+delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES STEP DIR)};
+@Marks::SIZE = qw(--size 160x90 --map-size 128);
+
+sub script {
+    my ( $name, @words ) = @_;
+    return command( $^X, root() . "/tests/exercise/$name.pl", @words );
+}
+
+for my $step ( 1 .. 5 ) {
+    for my $task ( tasks($step) ) {
+        my $what  = "step $step, $task->{file}";
+        my $right = slurp( root() . '/' . task_file( $step, $task ) );
+        my @wrong = mark( $step, $task, $right );
+        is( "@wrong", '', "$what is right" );
+        my ($reason) = mark( $step, $task, emptied( $step, $task ) );
+        is( $reason, 'It is not written yet.', "$what, emptied" );
+        for my $mistake ( @{ $task->{mistakes} } ) {
+            my ($words) = @$mistake;
+            my $text = mistaken( $step, $task, $mistake );
+            ($reason) = mark( $step, $task, $text );
+            is( $reason, $words, "$what: $words" );
+        }
+    }
+}
+
+# As good, but written otherwise; wrong in a way that nobody knows; no number.
+my ($chebyshev) = grep { $_->{file} eq 'chebyshev.glsl' } tasks(5);
+
+sub chebyshev_mark {
+    my ($body) = @_;
+    return mark( 5, $chebyshev, "$chebyshev->{function}\n{\n$body\n}\n" );
+}
+is( join( "\n", chebyshev_mark(<<'END') ), '', 'another way to say it' );
+    float s = max(t - mean, 0.0);
+    return 1.0 - s * s / (variance + s * s);
+END
+like( ( chebyshev_mark('return 0.5;') )[0],
+    qr/none of the mistakes/, 'unknown' );
+my ($hard) = grep { $_->{file} eq 'hard.glsl' } tasks(1);
+like(
+    ( mark( 1, $hard, "$hard->{function} { return sqrt(-1.0 - receiver.depth); }" ) )[0],
+    qr/no numbers/,
+    'not a number'
+);
+like(
+    join( ' ', chebyshev_mark('return variance') ),
+    qr{step5_chebyshev/shaders/chebyshev\.glsl.*syntax error}s,
+    'what does not compile is told with file and line'
+);
+
+# The commands: a copy is made, refused where one is, and marked.
+my $mine = "$work/mine";
+my $run  = script( 'exercise', 1, $mine );
+is( $run->{status}, 0, 'exercise' ) or diag( $run->{err} );
+my @files = map { task_file( 1, $_ ) } tasks(1);
+for my $file (@files) {
+    like( $run->{out}, qr/\Q$mine\/$file\E/, "$file is named" );
+    like( slurp("$mine/$file"), qr{// YOURS\. }, 'and empty' );
+}
+stops { script( 'exercise', 1, $mine ) } 2, [qr/\Q$mine\E is there already/],
+  'nobody\'s work is written over';
+stops { script( 'exercise', 6, "$work/six" ) } 2, [qr/STEP=5/], 'no step 6';
+stops { script( 'grade', 1, "$work/none" ) } 2, [qr/there is no .*exercise/],
+  'nothing to mark';
+
+spew( "$mine/$files[1]", slurp( root() . "/$files[1]" ) );
+$run = script( 'grade', 1, $mine );
+is( $run->{status}, 1, 'half of it is written: exit status' )
+  or diag( $run->{err} );
+like( $run->{out}, qr/^wrong  .*\n +It is not written yet/m, 'not written' );
+like( $run->{out}, qr/^right  .*hard/m,            'written' );
+like( $run->{out}, qr/^1 of 2 functions right$/m, 'and counted' );
+is( png_size( slurp("$mine/grade/map_coordinates.png") ),
+    '968x180', 'yours, the right one, the difference' );
+
+# What the programs were made of serves the copy too, but for where the shaders
+# are: it is built sooner.
+my $build = $ENV{VSM_BUILD} // root() . '/build';
+make_path("$mine/build/obj");
+command( '/bin/cp', '-r', "$build/glad", "$mine/build" );
+command( '/bin/cp', '-r', "$build/obj/step1_shadowmap", "$mine/build/obj" );
+unlink "$mine/build/obj/step1_shadowmap/base/gl_program.c.o"
+  or die "no gl_program.c.o\n";
+spew( "$mine/$files[0]", slurp( root() . "/$files[0]" ) );
+$run = script( 'grade', 1, $mine );
+is( $run->{status}, 0, 'all of it is written' )
+  or diag( $run->{out}, $run->{err} );
+like( $run->{out}, qr/^right  the whole program\n2 of 2/m, 'and builds' );
+
+my $main = 'step1_shadowmap/main.c';
+spew( "$mine/$main", slurp("$mine/$main") =~ s/^\}$/}}/mr );
+$run = script( 'grade', 1, $mine );
+is( $run->{status}, 1, 'what does not build is not right' );
+like( $run->{out}, qr/does not build\n.*main\.c:\d+/s, 'and says where' );
+
+my $vertex = 'step1_shadowmap/shaders/scene.frag';
+unlink "$mine/$main";
+spew( "$mine/$main",   slurp( root() . "/$main" ) );
+spew( "$mine/$vertex", slurp("$mine/$vertex") =~ s/1\.0/0.9/r );
+$run = script( 'grade', 1, $mine );
+is( $run->{status}, 1, 'what was changed besides is not right' );
+like( $run->{out}, qr/changed: \Q$vertex\E$/m, 'and is named' );
+
+done_testing;
