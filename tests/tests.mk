@@ -15,7 +15,7 @@ set-up-tests: set-up
 # The formulas on their own, in C: roundings are counted here too.
 STABILITY_SOURCES := $(wildcard tests/stability/*.c)
 STABILITY_OBJECTS := $(STABILITY_SOURCES:%=$(BUILD)/obj/%.o)
-$(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c
+$(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | $(SETUP)
 	@mkdir -p $(@D)
 	@echo compile $<
 	@$(CC) -std=c11 -MMD -MP $(WARNINGS) -I. $(CFLAGS) -ffp-contract=off \

@@ -9,6 +9,9 @@ use lib $FindBin::Bin, "$FindBin::Bin/../lib";
 use Tasks;
 use VSM;
 
+# Not what `make exercise` was told: the copy's make is another one.
+delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
+
 my ( $step, $folder ) = @ARGV;
 if ( !tasks( $step // '' ) || ( $folder // '' ) eq '' ) {
     print STDERR "say which and where: make exercise STEP=5 DIR=mine\n";
