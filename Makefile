@@ -15,7 +15,7 @@ include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
 .PHONY: all programs set-up set-up-tests test identical stability fuzz mutants saved \
-    sanitize report bench exercise grade standalone window diff figures lint format clean help
+    sanitize report table bench exercise grade standalone window diff figures lint format clean help
 
 # What each Debian package is recognised by.
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
@@ -36,6 +36,7 @@ out/step%.png: $(BUILD)/$$(wildcard step$$*_*) $(SHADERS)
 
 out/steps.png: $(PICTURES)
 	@oiiotool $^ --mosaic:pad=8 5x1 --resize 3200x0 -d uint8 -o $@
+	@sh tests/report/table.sh $(BUILD)
 	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png'
 
 standalone: ## copy exactly step STEP's files to DIR, which then builds alone

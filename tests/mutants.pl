@@ -763,6 +763,10 @@ my %mutants = (
         'object->transform, sizeof object->transform',
         'object->albedo, sizeof object->albedo'
     ],
+    'the table says of another truth how wrong' => [
+        'robustness/table', 'tests/report/table.sh',
+        '"hard" in rmse ? rmse["hard"]', '"hard" in rmse ? rmse["pcf"]'
+    ],
     'every answer is right' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '/^FAIL (.*)/ ? $1', '/^FAIL (.*)/ ? ()'
@@ -838,15 +842,15 @@ sub build_in {
 sub plant {
     my @change = @_;
     my $folder = tempdir( CLEANUP => 1 );
-    my ($kind) = map { /\.(cpp|c|h|p[lm])$/ ? $1 : () } @change;
+    my ($kind) = map { /\.(cpp|c|h|p[lm]|sh)$/ ? $1 : () } @change;
     $kind //= 'shader';
     $kind = 'c' if $change[0] =~ /^step.*cpp$/;    # of the programs
-    copy_to( $folder, @REPORT, glob('step*') ) if $kind =~ /^p/;
+    copy_to( $folder, @REPORT, glob('step*') ) if $kind =~ /^(?:p|sh$)/;
     copy_to( $folder, @SOURCES ) if $kind =~ /^(?:c|h|cpp)$/;
     copy_to( $folder, @ORACLE )  if $kind eq 'cpp';
     plant_one( $folder, splice @change, 0, 3 ) while @change;
     return ( '.', VSM_SHADERS => $folder ) if $kind eq 'shader';
-    return ( $folder, VSM_BUILD => abs_path('build') ) if $kind =~ /^p/;
+    return ( $folder, VSM_BUILD => abs_path('build') ) if $kind =~ /^(?:p|sh$)/;
     my @kept = $kind eq 'cpp' ? glob('build/step*') : 'build/oracle';
     symlink abs_path($_), "$folder/$_" for @kept;
     build_in( $folder, $kind eq 'cpp' ? 'build/oracle' : 'programs' );

@@ -98,6 +98,9 @@ report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/rep
 	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the report' $(REPORT_RECOGNISED)
 	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
 
+table: set-up-tests programs $(BUILD)/oracle ## what a frame of each step costs, and how wrong it is
+	@sh tests/report/table.sh $(BUILD)
+
 bench: set-up-tests programs ## how the time grows with width, map, triangles, picture, layers: out/bench/
 	@VSM_BUILD=$(BUILD) perl tests/report/bench.pl
 
