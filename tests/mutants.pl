@@ -312,10 +312,6 @@ my %mutants = (
         'central', 'step3_moments/shaders/store_half.glsl',
         'roundEven(', 'floor('
     ],
-    'outside a central map depths vary' => [
-        'central', 'step3_moments/moments.c',
-        'GL_NEAREST, {1, 0, ', 'GL_NEAREST, {1, 1, '
-    ],
     'outside a central map boxes find depths that vary' => [
         'boxes', 'step3_moments/shaders/merge_central.glsl',
         'vec2(1.0, 0.0)', 'vec2(1.0, 1.0)'

@@ -6,27 +6,36 @@
 #include <ImfHeader.h>      // Header
 #include <ImfIO.h>          // OStream
 #include <ImfOutputFile.h>  // OutputFile
-#include <algorithm>        // copy, copy_n, max
+#include <algorithm>        // copy_n, max
 #include <cstdint>          // uint64_t
 #include <cstdio>           // snprintf
-#include <cstdlib>          // malloc
+#include <cstdlib>          // free, realloc
 #include <exception>
-#include <new> // bad_alloc
-#include <vector>
+#include <new>     // bad_alloc
+#include <utility> // exchange
 
-// The file: whether the disk has room for it is image.c's to find out.
+// The file: whether the disk has room for it is image.c's to find out. Its
+// bytes come from malloc: C frees them.
 class Memory : public Imf::OStream
 {
   public:
     Memory() : Imf::OStream("memory")
     {
     }
-
-    void write(const char data[], int count) override
+    ~Memory() override
     {
-        bytes.resize(std::max(bytes.size(), place + std::size_t(count)));
-        std::copy_n(data, count, bytes.begin() + std::ptrdiff_t(place));
-        place += std::size_t(count);
+        std::free(bytes);
+    }
+
+    void write(const char data[], int size) override
+    {
+        std::size_t end = place + std::size_t(size);
+        if (end > room) {
+            grow(std::max(end, 2 * room));
+        }
+        std::copy_n(data, size, bytes + place);
+        place = end;
+        count = std::max(count, end);
     }
 
     std::uint64_t tellp() override
@@ -38,24 +47,28 @@ class Memory : public Imf::OStream
         place = to;
     }
 
-    std::vector<char> bytes;
+    // Whose they are then.
+    char *release()
+    {
+        return std::exchange(bytes, nullptr);
+    }
+
+    std::size_t count = 0;
 
   private:
-    std::size_t place = 0;
-};
-
-// Rows as they are stored: OpenGL's first row is the bottom one.
-static std::vector<float> top_row_first(const float *pixels, std::size_t row,
-                                        int height)
-{
-    std::vector<float> rows;
-    rows.reserve(row * std::size_t(height));
-    for (int y = height - 1; y >= 0; y--) {
-        const float *first = pixels + row * std::size_t(y);
-        rows.insert(rows.end(), first, first + row);
+    void grow(std::size_t size)
+    {
+        void *larger = std::realloc(bytes, size);
+        if (larger == nullptr) {
+            throw std::bad_alloc();
+        }
+        bytes = static_cast<char *>(larger);
+        room = size;
     }
-    return rows;
-}
+
+    char *bytes = nullptr;
+    std::size_t place = 0, room = 0;
+};
 
 static void write_exr(Memory &memory, const float *pixels, int width,
                       int height, int channels)
@@ -64,20 +77,26 @@ static void write_exr(Memory &memory, const float *pixels, int width,
     static const char *const color[] = {"R", "G", "B", "A"};
     const char *const *names = channels == 1 ? grey : color;
     std::size_t row = std::size_t(width) * std::size_t(channels);
-    std::vector<float> rows = top_row_first(pixels, row, height);
     Imf::Header header(width, height);
-    Imf::FrameBuffer buffer;
     for (int c = 0; c < channels; c++) {
-        char *first = reinterpret_cast<char *>(rows.data() + c);
         header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-        buffer.insert(names[c],
-                      Imf::Slice(Imf::FLOAT, first,
-                                 std::size_t(channels) * sizeof(float),
-                                 row * sizeof(float)));
     }
     Imf::OutputFile file(memory, header, 0); // no threads: a picture is small
-    file.setFrameBuffer(buffer);
-    file.writePixels(height);
+    // Its first row is the top one, OpenGL's the bottom one.
+    for (int y = height - 1; y >= 0; y--) {
+        const float *values = pixels + row * std::size_t(y);
+        Imf::FrameBuffer buffer;
+        for (int c = 0; c < channels; c++) {
+            char *first =
+                const_cast<char *>(reinterpret_cast<const char *>(values + c));
+            // A stride of 0: whatever row it is, it is here.
+            buffer.insert(names[c],
+                          Imf::Slice(Imf::FLOAT, first,
+                                     std::size_t(channels) * sizeof(float), 0));
+        }
+        file.setFrameBuffer(buffer);
+        file.writePixels(1);
+    }
 }
 
 ImageBytes image_encode_exr(const float *pixels, int width, int height,
@@ -87,13 +106,8 @@ ImageBytes image_encode_exr(const float *pixels, int width, int height,
     try {
         Memory memory;
         write_exr(memory, pixels, width, height, channels);
-        result.count = memory.bytes.size();
-        result.bytes = std::malloc(result.count);
-        if (result.bytes == nullptr) {
-            throw std::bad_alloc();
-        }
-        std::copy(memory.bytes.begin(), memory.bytes.end(),
-                  static_cast<char *>(result.bytes));
+        result.count = memory.count;
+        result.bytes = memory.release();
     } catch (const std::exception &error) { // out of memory, most likely
         std::snprintf(result.reason, sizeof result.reason, "%s", error.what());
     }
