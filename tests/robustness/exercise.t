@@ -3,6 +3,7 @@
 use strict;
 use warnings;
 
+use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
 use FindBin;
@@ -92,7 +93,7 @@ is( png_size( slurp("$mine/grade/map_coordinates.png") ),
 
 # What the programs were made of serves the copy too, but for where the shaders
 # are: it is built sooner.
-my $build = $ENV{VSM_BUILD} // root() . '/build';
+my $build = dirname( program(1) );
 make_path("$mine/build/obj");
 command( '/bin/cp', '-r', "$build/glad", "$mine/build" );
 command( '/bin/cp', '-r', "$build/obj/step1_shadowmap", "$mine/build/obj" );

@@ -2,11 +2,12 @@
 use strict;
 use warnings;
 
+use File::Basename qw(dirname);
 use File::Temp qw(tempdir);
 use Test::More;
 use VSM;
 
-my $build = $ENV{VSM_BUILD} // root() . '/build';
+my $build = dirname( program(1) );
 my $work  = tempdir( CLEANUP => 1 );
 chdir $work;
 
