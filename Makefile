@@ -15,7 +15,8 @@ include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
 .PHONY: all programs set-up set-up-tests test identical stability fuzz mutants saved \
-    sanitize report table bench exercise grade standalone window diff figures lint format clean help
+    sanitize report table bench exercise grade standalone window diff figures lint \
+    format clean help
 
 # What each Debian package is recognised by.
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \

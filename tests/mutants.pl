@@ -767,6 +767,10 @@ my %mutants = (
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '/^FAIL (.*)/ ? $1', '/^FAIL (.*)/ ? ()'
     ],
+    'what does not end is right' => [
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        'return @lines ? reverse @lines : $run', 'return reverse @lines'
+    ],
     'the last known mistake is everybody\'s' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '|| $away > $least', ''

@@ -110,7 +110,7 @@ saved: set-up-tests programs ## time of each scene and step with and without wha
 mutants: set-up-tests warm $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
 	@$(LARGE_PAGES) VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
-exercise: ## copy step STEP to DIR with its functions emptied, for a student to write
+exercise: set-up-tests ## copy step STEP to DIR with its functions emptied, for a student to write
 	@perl tests/exercise/exercise.pl '$(STEP)' '$(DIR)'
 
 grade: set-up-tests warm $(BUILD)/oracle ## marks for what was written in DIR, with reasons and pictures

@@ -70,8 +70,8 @@ base := \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
     step1_shadowmap/base/base.mk
 
-# On all processors, unless make is told otherwise; several goals (make clean all)
-# one after the other.
+# On all processors, unless make is told otherwise; several goals (make clean
+# all) one after the other.
 ifeq ($(MAKELEVEL)$(word 2,$(MAKECMDGOALS)),0)
 MAKEFLAGS += -j$(shell nproc)
 endif

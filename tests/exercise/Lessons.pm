@@ -18,6 +18,14 @@ our @EXPORT_OK = qw(%LESSONS);
 #   shows     [file of the dump, channel]: where a difference is looked for
 #   mistakes  [what went wrong, then pairs: what stands in the right file, what
 #             stands there in one that is wrong in this way]
+my @VISIBILITY = (
+    checks => [ [ 'stage', qr/stage visibility/ ] ],
+    shows  => [ 'visibility', 0 ]
+);
+my @BLUR = (
+    checks => [ [ 'stage', qr/stage blur/ ] ],
+    shows  => [ 'blurred.0', 0 ]
+);
 our %LESSONS = (
     1 => [
         {
@@ -66,8 +74,7 @@ our %LESSONS = (
               . 'comparison_bias(receiver, 1, vec2(size)) says by how much '
               . 'the receiver is to be taken nearer to the light.',
             options  => [],
-            checks   => [ [ 'stage', qr/stage visibility/ ] ],
-            shows    => [ 'visibility', 0 ],
+            @VISIBILITY,
             mistakes => [
                 [
                     'What is lit and what is in shadow have changed places: a '
@@ -107,8 +114,7 @@ our %LESSONS = (
               . 'lit. occluder_depth(texel, layer) reads a depth, '
               . 'comparison_bias(receiver, n, vec2(size)) is the bias.',
             options  => [],
-            checks   => [ [ 'stage', qr/stage visibility/ ] ],
-            shows    => [ 'visibility', 0 ],
+            @VISIBILITY,
             mistakes => [
                 [
                     'The depths are averaged and then compared once. A mean '
@@ -188,8 +194,7 @@ our %LESSONS = (
               . 'that moments_at(receiver) finds. The bias is '
               . 'comparison_bias(receiver, 1, size), size in texels.',
             options  => [],
-            checks   => [ [ 'stage', qr/stage visibility/ ] ],
-            shows    => [ 'visibility', 0 ],
+            @VISIBILITY,
             mistakes => [
                 [
                     'The depth is compared with E[x^2]. That is smaller than '
@@ -218,8 +223,7 @@ our %LESSONS = (
               . 'merge_end() add up moments of either kind; stored() keeps '
               . 'what the format can hold.',
             options  => [qw(--blur gaussian --radius 4 --blur-by fragments)],
-            checks   => [ [ 'stage', qr/stage blur/ ] ],
-            shows    => [ 'blurred.0', 0 ],
+            @BLUR,
             mistakes => [
                 [
                     'Both passes go along u. The second one has to go along '
@@ -257,8 +261,7 @@ our %LESSONS = (
               . 'texels that this one covers, with merge_about(), '
               . 'merge_add(), merge_end(), and stored() as in blur.frag.',
             options  => [qw(--downsample 2)],
-            checks   => [ [ 'stage', qr/stage blur/ ] ],
-            shows    => [ 'blurred.0', 0 ],
+            @BLUR,
             mistakes => [
                 [
                     'One texel of each group is kept, the others are thrown '
@@ -288,8 +291,7 @@ our %LESSONS = (
               . 'behind it, of all distributions with this mean and variance: '
               . 'the one-tailed inequality.',
             options  => [qw(--bleed-reduction 0)],
-            checks   => [ [ 'stage', qr/stage visibility/ ] ],
-            shows    => [ 'visibility', 0 ],
+            @VISIBILITY,
             mistakes => [
                 [
                     'This is the bound of both tails, P(|X - mean| >= s) <= '
@@ -345,8 +347,7 @@ our %LESSONS = (
             words    => 'Cut off what is below bleed_reduction and stretch '
               . 'the rest to [0, 1].',
             options  => [qw(--bleed-reduction 0.3)],
-            checks   => [ [ 'stage', qr/stage visibility/ ] ],
-            shows    => [ 'visibility', 0 ],
+            @VISIBILITY,
             mistakes => [
                 [
                     'The lower end is cut off, but the rest is not stretched: '
@@ -383,8 +384,7 @@ our %LESSONS = (
               . 'variance, which is 1 at most; then chebyshev() at the '
               . 'receiver\'s depth, and reduce_bleeding().',
             options  => [qw(--variance-bias 1e-4)],
-            checks   => [ [ 'stage', qr/stage visibility/ ] ],
-            shows    => [ 'visibility', 0 ],
+            @VISIBILITY,
             mistakes => [
                 [
                     'Light bleeding is not reduced.',

@@ -13,11 +13,12 @@ use VSM;
 our @EXPORT = qw(mark);
 
 our @SIZE = qw(--size 320x180 --map-size 256);
+
 # Another way to compute the same: 16 roundings of 32-bit floats in [0, 1]. The
 # oracle allows only what the formula as it stands here can lose.
 my $ROUNDING = 2**-20;
 
-my $work  = tempdir( CLEANUP => 1 );
+my $work = tempdir( CLEANUP => 1 );
 my %folders;    # with shaders, by what stands in them
 
 # The dump of the right program, and of one that is right but for this text in
@@ -39,14 +40,15 @@ sub dump_with {
 # The lines in which the oracle objects.
 sub objections {
     my ( $task, $dump ) = @_;
-    my @lines;
+    my @objections;
     for ( @{ $task->{checks} } ) {
         my ( $check, $about ) = @$_;
-        push @lines, grep { /^(?:PASS|FAIL) $about/ } split /\n/,
+        my @lines = grep { /^(?:PASS|FAIL) $about/ } split /\n/,
           ask_oracle( $check, $dump )->{out};
+        @lines or die "$check says nothing about $task->{function}\n";
+        push @objections, map { /^FAIL (.*)/ ? $1 : () } @lines;
     }
-    @lines or die "the oracle says nothing about $task->{function}\n";
-    return map { /^FAIL (.*)/ ? $1 : () } @lines;
+    return @objections;
 }
 
 # Between what two dumps show of a task: the largest difference and the RMSE.
@@ -60,10 +62,10 @@ sub difference {
 }
 
 # What somebody was thinking who gets this: of the known mistakes, and of
-# nothing having been written, the one that gives nearly the same.
+# nothing having been written, the one that gives nearly the same. The RMSE from
+# what is right is `wrong`.
 sub reason {
-    my ( $step, $task, $dump ) = @_;
-    my ( undef, $wrong ) = difference( $task, $dump, right_dump( $step, $task ) );
+    my ( $step, $task, $dump, $wrong ) = @_;
     return 'There are values that are no numbers.' if !defined $wrong;
     my @known = (
         [ 'It is not written yet.', emptied( $step, $task ) ],
@@ -82,26 +84,26 @@ sub reason {
     return $words;
 }
 
-# Yours, the right one, and the difference. Returns a line that says so.
+# Yours, the right one, and the difference, which is `largest` somewhere. Returns
+# a line that says so.
 sub show {
-    my ( $step, $task, $dump, $picture ) = @_;
+    my ( $task, $picture, $largest, @dumps ) = @_;
     my ( $file, $channel ) = @{ $task->{shows} };
-    my $right_dump = right_dump( $step, $task );
-    my ($largest)  = difference( $task, $dump, $right_dump );
-    my ( $mine, $right ) = map { "$_/$file.exr" } $dump, $right_dump;
+    my ( $mine, $right ) = map { "$_/$file.exr" } @dumps;
     my @one   = ( '--ch', $channel );
     my @grey  = ( @one, '--ch', '0,0,0', '--chnames', 'R,G,B' );
     my $scale = '0,0,1,1,1,1,1,0,0';    # blue, white, red
     my $run   = command(
         qw(/usr/bin/env oiiotool), $mine, @grey, $right, @grey,
         $mine, @one, $right, @one, '--sub',
-        '--mulc', 0.5 / ( $largest || 1 ),
+        '--mulc', 0.5 / ( $largest // 1 ),
         qw(--addc 0.5 --colormap), $scale,
         qw(--mosaic:pad=4 3x1 -d uint8 -o), $picture
     );
     return if $run->{status} || !-e $picture;
     return "$picture: yours, the right one, and where yours is larger (red) "
-      . "or smaller (blue), by up to $largest";
+      . 'or smaller (blue)'
+      . ( defined $largest ? ", by up to $largest" : '' );
 }
 
 # Of a task whose file holds this text: what is wrong with it, line by line;
@@ -110,17 +112,21 @@ sub mark {
     my ( $step, $task, $text, $picture ) = @_;
     my $file = task_file( $step, $task );
     my $dump = eval { dump_with( $step, $task, $text ) };
-    if ( !$dump ) {    # it does not compile
-        my @said = grep { !/^step $step / } split /\n/, $@;
-        s{\Q$work\E/\d+/}{}g for @said;
-        return @said;
+    if ( !$dump ) {    # it does not compile, or does not come to an end
+        my $said = $@ =~ s{\Q$work\E/\d+/}{}gr;
+        my ( $run, @lines ) = reverse split /\n/, $said;
+        return @lines ? reverse @lines : $run;
     }
     my @objections = objections( $task, $dump ) or return;
-    my ($largest) = difference( $task, $dump, right_dump( $step, $task ) );
+    my $right = right_dump( $step, $task );
+    my ( $largest, $rmse ) = difference( $task, $dump, $right );
     return if defined $largest && $largest <= $ROUNDING;
     return (
-        reason( $step, $task, $dump ), $objections[0],
-        defined $picture ? show( $step, $task, $dump, $picture ) : ()
+        reason( $step, $task, $dump, $rmse ),
+        $objections[0],
+        defined $picture
+        ? show( $task, $picture, $largest, $dump, $right )
+        : ()
     );
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/perl
-# A step to be written: a stand-alone copy whose functions (Lessons.pm) are empty.
+# A step to be written: a stand-alone copy with empty functions (Lessons.pm).
 # usage: exercise.pl STEP DIR
 use strict;
 use warnings;

@@ -6,7 +6,8 @@ build=$1
 size=${2:-640x360}
 frames=31
 echo
-echo "Milliseconds, medians of $frames frames of $size; compare them with each other only."
+echo "Milliseconds, medians of $frames frames of $size: compare them with each"
+echo 'other only.'
 echo 'Wrong: RMSE of the visibility, in [0, 1], against exact rays, averaged over the'
 echo "filter's footprint, or one ray to the light."
 printf '\n%-17s%11s%9s%9s%18s%9s\n' step 'map + blur' shading frame \

@@ -55,11 +55,23 @@ END
 like( ( chebyshev_mark('return 0.5;') )[0],
     qr/none of the mistakes/, 'unknown' );
 my ($hard) = grep { $_->{file} eq 'hard.glsl' } tasks(1);
-like(
-    ( mark( 1, $hard, "$hard->{function} { return sqrt(-1.0 - receiver.depth); }" ) )[0],
-    qr/no numbers/,
-    'not a number'
-);
+my @said = mark( 1, $hard,
+    "$hard->{function} { return sqrt(-1.0 - receiver.depth); }",
+    "$work/nan.png" );
+like( $said[0], qr/no numbers/, 'not a number' );
+like( $said[-1], qr/nan\.png: .*\(blue\)$/, 'is shown' );
+{
+    local $VSM::SECONDS = 2;
+    like( ( chebyshev_mark(<<'END') )[0], qr/signal 14/, 'it does not end' );
+    float p = 0.0;
+    for (int i = 0; i < 60000; i++) {
+        for (int j = 0; j < 60000; j++) {
+            p = sin(p + variance);
+        }
+    }
+    return p;
+END
+}
 like(
     join( ' ', chebyshev_mark('return variance') ),
     qr{step5_chebyshev/shaders/chebyshev\.glsl.*syntax error}s,

@@ -17,7 +17,7 @@ my $work = tempdir( CLEANUP => 1 );
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES STEP DEPS BUILD)};
 delete @ENV{qw(CFLAGS CXXFLAGS LDFLAGS)};
 
-# How the compiler optimises does not change the picture, only how long it takes.
+# Optimising does not change the picture, only how long the compiler takes.
 my @quick = qw(-j2 DEPS=no CXXFLAGS=-O0 CFLAGS=-O0);
 
 sub make {
