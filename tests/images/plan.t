@@ -5,6 +5,7 @@
 use strict;
 use warnings;
 use File::Temp qw(tempdir);
+use List::Util qw(min);
 use Test::More;
 use VSM;
 
@@ -163,17 +164,23 @@ for my $step ( 1 .. 5 ) {
 }
 
 # The camera before one wall: about ten times faster, with the maps drawn in
-# every frame.
+# every frame. The fastest of several frames, by turns: what else the machine
+# does only adds to them.
 my $folder = tempdir( CLEANUP => 1 );
 
-sub frame_time {
-    my $run = run( 5, qw(--scene room:turn=-100 --bench 3 --map-size 256),
+sub frame_times {
+    my $run = run( 5, qw(--scene room:turn=-100 --bench 5 --map-size 256),
         qw(--size 320x180 --output), "$folder/timed.png", @_ );
-    my ($time) = $run->{out} =~ /^total,([\d.]+),/m;
-    return $time // 0;
+    my ($times) = $run->{out} =~ /^total,.*,([\d. ]+)$/m;
+    return split ' ', $times // die "no times: $run->{err}\n";
 }
 
-my ( $planned, $kept ) = ( frame_time('--redraw'), frame_time('--keep-all') );
+my ( @planned, @kept );
+for ( 1 .. 3 ) {
+    push @planned, frame_times('--redraw');
+    push @kept,    frame_times('--keep-all');
+}
+my ( $planned, $kept ) = ( min(@planned), min(@kept) );
 cmp_ok( 2 * $planned, '<', $kept,
     'one wall of a room: less than half of the time' );
 
