@@ -11,14 +11,13 @@ use strict;
 use warnings;
 
 use Cwd qw(abs_path);
-use Digest::SHA qw(sha1_hex);
 use Exporter qw(import);
 use File::Basename qw(basename dirname);
 use File::Find qw(find);
 use File::Glob qw(bsd_glob);
 use File::Path qw(make_path remove_tree);
 use File::Spec;
-use File::Temp;
+use File::Temp qw(tempdir);
 use IPC::Open2 qw(open2);
 use POSIX ();
 use Test::More;
@@ -136,32 +135,19 @@ END {
 }
 
 # The folder with the --dump of a run, its picture as picture.exr among it.
-# The same run is made once for a test file; the folder is kept for a look
-# when a test in the file has failed.
+# The same run is made once for a process; its folder is this process's own
+# and goes with it.
 sub dump_run {
     my ( $step, @arguments ) = @_;
-    my $key = sha1_hex( join "\0", basename($0), $SHADERS // '', $step,
-        @arguments );
+    my $key = join "\0", $SHADERS // '', $step, @arguments;
     return $dumps{$key} if $dumps{$key};
-    my $folder = "$BUILD/test/$key";
-    remove_tree($folder);    # an earlier program's files prove nothing
-    make_path($folder);
+    my $folder = tempdir( CLEANUP => 1 );
     my $run = run_warm( $step, @arguments, '--dump', $folder, '--output',
         "$folder/picture.exr" );
     die "$run->{err}step $step @arguments: exit status $run->{status}, "
       . "signal $run->{signal}\n"
       if $run->{status} || $run->{signal};
     return $dumps{$key} = $folder;
-}
-
-END {
-    local $?;                # the exit status belongs to Test::More
-    if ( Test::More->builder->is_passing || $SHADERS ) {
-        remove_tree($_) for values %dumps;
-    }
-    elsif (%dumps) {
-        diag("kept for a look: $_") for sort values %dumps;
-    }
 }
 
 # What the oracle says to these words: {status, signal, out}. One oracle for
