@@ -871,7 +871,8 @@ sub plant_one {
 # tests after it are not run: one is enough.
 sub first_failure {
     my ( $test, $folder, %where ) = @_;
-    local @ENV{ keys %where } = values %where;
+    my $own = File::Temp->newdir;    # what a test leaves that is stopped
+    local @ENV{ 'TMPDIR', keys %where } = ( "$own", values %where );
     my $file = 'tests/' . ( $test =~ m{/} ? '' : 'images/' ) . "$test.t";
     my $child = open my $tap, '-|',
       "cd $folder && exec perl -Itests/lib $file 2>/dev/null"

@@ -4,6 +4,7 @@
 use strict;
 use warnings;
 use File::Find;
+use File::Temp qw(tempdir);
 use TAP::Harness;
 
 my @files;
@@ -19,6 +20,11 @@ for my $name (grep { $_ ne '-r' } @ARGV) {
 }
 @files = sort @files;
 @files or die "no test to run\n";
+
+# Where all temporary folders of the tests are; what one leaves that is killed
+# goes with it.
+$ENV{TMPDIR} = tempdir( 'vsm-XXXXXX', TMPDIR => 1, CLEANUP => 1 );
+$SIG{INT} = $SIG{TERM} = sub { exit 1 };
 
 my $harness =
   TAP::Harness->new( { jobs => 2, lib => ['tests/lib'], timer => 1 } );

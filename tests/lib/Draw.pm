@@ -1,24 +1,27 @@
-# For the tests of the command line: small pictures, and refusals. Both work
-# in the current directory and leave nothing there.
+# For the tests of the command line: small pictures, and refusals.
 package Draw;
 
 use strict;
 use warnings;
 
 use Exporter qw(import);
+use File::Temp qw(tempdir);
 use Test::More;
 use VSM;
 
 our @EXPORT = qw(draw is_refused);
 
+my $own = tempdir( CLEANUP => 1 );
+
 # A small picture as PNG, or "" if the program fails. The arguments come last:
 # of an option given twice the last one counts.
 sub draw {
     my ( $step, @arguments ) = @_;
-    my $run =
-      run_warm( $step, qw(--size 160x90 --output picture.png), @arguments );
-    my $picture = -e 'picture.png' ? slurp('picture.png') : '';
-    unlink 'picture.png';
+    my $file    = "$own/picture.png";
+    my $run     = run_warm( $step, qw(--size 160x90 --output), $file,
+        @arguments );
+    my $picture = -e $file ? slurp($file) : '';
+    unlink $file;
     return $picture if !$run->{status} && !$run->{signal};
     diag("step $step @arguments: $run->{err}");
     return '';

@@ -10,7 +10,7 @@ package VSM;
 use strict;
 use warnings;
 
-use Cwd qw(abs_path);
+use Cwd qw(abs_path getcwd);
 use Exporter qw(import);
 use File::Basename qw(basename dirname);
 use File::Find qw(find);
@@ -29,6 +29,7 @@ our @EXPORT = qw(root program_name program command run run_warm dump_run
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
 my $SHADERS = $ENV{VSM_SHADERS} && File::Spec->rel2abs( $ENV{VSM_SHADERS} );
 my $BUILD   = File::Spec->rel2abs( $ENV{VSM_BUILD} // 'build', $ROOT );
+my $START   = getcwd();    # nobody's own
 our $SECONDS = $ENV{VSM_SLOW} ? 600 : 60; # a command may take
 
 my %dumps;    # folder by step and arguments
@@ -249,12 +250,23 @@ sub png_size {
       : '';
 }
 
+sub go_to {
+    my ($folder) = @_;
+    chdir $folder or die "cannot work in $folder: $!\n";
+    return;
+}
+
 # One test: the code runs something that has to stop with this exit status,
 # with exactly one line on stderr which matches every pattern, and without
-# leaving anything new in the working directory.
+# leaving anything new in the working directory. A test that has not gone to a
+# folder of its own is taken to an empty one for this: what appears where it
+# was started may be anybody's.
 #     stops { run( 1, '--size', 0 ) } 2, [qr/--size/], 'no empty picture';
 sub stops(&$$$) {
     my ( $code, $status, $patterns, $name ) = @_;
+    my $here  = getcwd();
+    my $empty = File::Temp->newdir;
+    go_to($empty) if $here eq $START;
     my %before = map { $_ => 1 } everything_below('.');
     my $run    = $code->();
     my @new    = grep { !$before{$_} } everything_below('.');
@@ -269,6 +281,7 @@ sub stops(&$$$) {
     push @wrong, "left behind: @new" if @new;
 
     remove_tree(@new) if @new;    # the next test starts afresh
+    go_to($here);
     ok( !@wrong, $name ) and return 1;
     diag( join "\n", @wrong, "stderr: $run->{err}" );
     return 0;

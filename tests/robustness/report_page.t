@@ -4,7 +4,7 @@
 use strict;
 use warnings;
 
-use File::Path qw(make_path);
+use File::Temp qw(tempdir);
 use Test::More;
 use VSM;
 use Browser;
@@ -15,8 +15,7 @@ if ($lacking) {
     plan skip_all => "the report's page is not looked at: $lacking";
 }
 
-my $folder = root() . '/out/report_test';
-make_path($folder);
+my $folder = tempdir( CLEANUP => 1 );
 {
     local $ENV{REPORT}     = 'tiny';
     local $ENV{REPORT_OUT} = $folder;

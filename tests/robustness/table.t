@@ -9,7 +9,7 @@ use VSM;
 
 my $build = dirname( program(1) );
 my $work  = tempdir( CLEANUP => 1 );
-chdir $work;
+chdir $work or die "cannot work in $work: $!\n";
 
 sub rows {
     my ($folder) = @_;

@@ -4,6 +4,7 @@
 use strict;
 use warnings;
 
+use File::Glob qw(bsd_glob);
 use Test::More;
 use VSM;
 
@@ -29,7 +30,8 @@ for my $row (@rows) {
     ok( defined $choices, "$name: step $step has $flag" ) or next;
     my $known = !defined $value || $choices !~ /,/ || $choices =~ /\b$value\b/;
     ok( $known, "$name: $flag takes " . ( $value // 'any' ) );
-    my $words = join '', map { slurp($_) } glob root() . "/step${step}_*/*.md";
+    my $words = join '',
+      map { slurp($_) } bsd_glob( root() . "/step${step}_*/*.md" );
     like( $words, qr/\Q$flag\E\b/, "$name: step $step says what $flag is for" );
     like( $words, qr/\b$value\b/, "$name: step $step says what $value is" )
       if defined $value;

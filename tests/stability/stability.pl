@@ -2,7 +2,8 @@
 # The extreme cases, in every step that they apply to: what the numbers have
 # lost against double precision, what they may lose (bound.h), their ratio, and
 # how many values are not finite. Prints a table and writes
-# out/stability/results.csv; ends with "N passed, M failed".
+# out/stability/results.csv (or below STABILITY_OUT); ends with "N passed, M
+# failed".
 #     stability.pl          all of it
 #     stability.pl --quick  the few cases of `make test`
 #     stability.pl PATTERN  the cases whose name matches, without the formulas
@@ -11,16 +12,16 @@ use warnings;
 use FindBin;
 use lib "$FindBin::Bin/../lib", $FindBin::Bin;
 use Cases qw(@cases);
+use File::Basename qw(dirname);
 use File::Path qw(make_path remove_tree);
+use File::Temp qw(tempdir);
 use VSM;
 
 my $QUICK  = grep { $_ eq '--quick' } @ARGV;
 my ($ONLY) = grep { !/^--/ } @ARGV;
-my $build  = $ENV{VSM_BUILD} // 'build';
-# Several tests may run at once.
-my $folder =
-  root() . ( $QUICK ? "/$build/test/stability.$$" : '/out/stability' );
-my $fuzz   = root() . "/$build/fuzz";
+my $folder = $ENV{STABILITY_OUT} // root() . '/out/stability';
+my $work   = tempdir( CLEANUP => 1 );
+my $fuzz   = dirname( program(1) ) . '/fuzz';
 
 my @WORKERS = 1 .. 2;
 
@@ -39,7 +40,7 @@ my @COLUMNS = qw(case step quantity moments format minimum compared all error
 
 # The driver's limit, from what it says when asked for more.
 sub limit {
-    my $run = run( 1, qw(--map-size 32768 --output), "$folder/a.png" );
+    my $run = run( 1, qw(--map-size 32768 --output), "$work/a.png" );
     my ($limit) = $run->{err} =~ /limit of (\d+)x/
       or die "no limit in: $run->{err}\n";
     return $limit;
@@ -330,9 +331,9 @@ sub run_jobs {
         my $child = fork // die "cannot fork: $!\n";
         if ( $child == 0 ) {
             for ( my $i = $worker - 1 ; $i < @jobs ; $i += @WORKERS ) {
-                my @rows = rows_of( $jobs[$i], "$folder/dump$worker" );
+                my @rows = rows_of( $jobs[$i], "$work/dump$worker" );
                 judge($_) for @rows;
-                spew( "$folder/rows/$i",
+                spew( "$work/$i",
                     join "\n", map { encode($_) } @rows );
             }
             exit 0;
@@ -345,7 +346,7 @@ sub run_jobs {
         die "a worker stopped with $?\n" if $?;
     }
     for my $i ( 0 .. $#jobs ) {
-        push @rows, map { decode($_) } split /\n/, slurp("$folder/rows/$i");
+        push @rows, map { decode($_) } split /\n/, slurp("$work/$i");
     }
     return @rows;
 }
@@ -367,8 +368,6 @@ sub claim {
     return $holds ? 0 : 1;
 }
 
-remove_tree("$folder/rows");
-make_path("$folder/rows");
 $| = 1;
 my @rows = run_jobs( jobs( $QUICK ? 0 : limit() ) );
 my $ALL = !$QUICK && !defined $ONLY;
@@ -380,8 +379,6 @@ if ($ALL) {
 print_head();
 print_row($_) for @rows;
 write_csv(@rows);
-remove_tree( "$folder/rows", map { "$folder/dump$_" } @WORKERS );
-unlink glob "$folder/*.exr $folder/a.png";
 
 my %verdicts;
 $verdicts{ $_->{verdict} }++ for @rows;

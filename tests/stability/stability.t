@@ -3,16 +3,15 @@
 use strict;
 use warnings;
 
-use File::Basename qw(dirname);
-use File::Path qw(remove_tree);
+use File::Temp qw(tempdir);
 use Test::More;
 use VSM;
 
+local $ENV{STABILITY_OUT} = tempdir( CLEANUP => 1 );
 my $run = command( $^X, root() . '/tests/stability/stability.pl', '--quick' );
-my ($table) = $run->{out} =~ /^all of it: (\S+)$/m
+my ($table) = $run->{out} =~ /^all of it: (.+)$/m
   or BAIL_OUT("stability.pl --quick: $run->{out}$run->{err}");
-my ( $head, @lines ) = split /\n/, slurp( root() . "/$table" );
-remove_tree( dirname( root() . "/$table" ) );
+my ( $head, @lines ) = split /\n/, slurp($table);
 my @names = split /,/, $head;
 my %seen;
 for my $line (@lines) {
