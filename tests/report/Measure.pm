@@ -10,6 +10,7 @@ use Digest::SHA  qw(sha1_hex);
 use Exporter     qw(import);
 use File::Glob   qw(bsd_glob);
 use File::Path   qw(make_path remove_tree);
+use File::Temp   qw(tempdir);
 use JSON::PP     ();
 use MIME::Base64 qw(encode_base64);
 use VSM;
@@ -19,6 +20,7 @@ use Workers qw(share_out);
 our @EXPORT_OK = qw(measure processors table quantile times_of summarise);
 
 my $JSON = JSON::PP->new->canonical;
+my $work = tempdir( CLEANUP => 1 );    # for what nobody is to see
 
 # The lines of a CSV table as hashes.
 sub table {
@@ -126,7 +128,7 @@ sub answer {
 }
 
 sub errors_of {
-    my ( $point, $folder, $dump ) = @_;
+    my ( $point, $truths, $dump ) = @_;
     remove_tree($dump);
     make_path($dump);
     answer(
@@ -139,9 +141,9 @@ sub errors_of {
     my @rows = table(
         answer(
             command(
-                oracle_path(),                    'errors',
-                $dump,                            oracle_words($point),
-                'keep=' . truths_folder($folder), "pictures=$dump"
+                oracle_path(),  'errors',
+                $dump,          oracle_words($point),
+                "keep=$truths", "pictures=$dump"
             )
         )
     );
@@ -190,8 +192,8 @@ sub pictures {
 # drawn in every frame, as where something moves, or of an `unchanged` scene
 # only once, before.
 sub times_of {
-    my ( $point, $folder, $frames ) = @_;
-    my $picture = "$folder/bench.png";
+    my ( $point, $frames ) = @_;
+    my $picture = "$work/bench.png";
     my @rows    = table(
         answer(
             run(
@@ -202,7 +204,6 @@ sub times_of {
             )
         )
     );
-    unlink $picture;
     @rows or die "the program printed no times\n";
     return {
         clock  => $rows[0]{clock},
@@ -278,7 +279,7 @@ sub measure {
     measure_errors( \@unknown, $folder, $progress, $stopped );
     for my $point ( map { @{ $_ // [] } } @turns ) {
         last if $$stopped;
-        measure_times( $point, $mode, $folder, $progress, $stopped );
+        measure_times( $point, $mode, $progress, $stopped );
     }
     $progress->finish;
     finish($_) for @$points;
@@ -288,13 +289,10 @@ sub measure {
 # Several points at a time: errors do not depend on how long they take.
 sub measure_errors {
     my ( $points, $folder, $progress, $stopped ) = @_;
-    my $work = sub {
+    my $truths = truths_folder($folder);    # once, for all at a time
+    my $judge  = sub {
         my ( $point, $slot ) = @_;
-        my $dump  = "$folder/dump.$slot";
-        my $found = eval { errors_of( $point, $folder, $dump ) };
-        my $why   = $@;
-        remove_tree($dump);
-        return $found // die $why;
+        return errors_of( $point, $truths, "$work/dump.$slot" );
     };
     my $take = sub {
         my ( $point, $found, $why ) = @_;
@@ -306,16 +304,16 @@ sub measure_errors {
     };
     $progress->begin('errors');
     my @processors = processors();
-    share_out( scalar @processors, $points, $work, $take, $stopped );
+    share_out( scalar @processors, $points, $judge, $take, $stopped );
     return;
 }
 
 sub measure_times {
-    my ( $point, $mode, $folder, $progress, $stopped ) = @_;
+    my ( $point, $mode, $progress, $stopped ) = @_;
     $progress->begin('times');
     my $times;
     $times =
-      attempt( $point, sub { times_of( $point, $folder, $mode->{frames} ) } )
+      attempt( $point, sub { times_of( $point, $mode->{frames} ) } )
       unless $point->{missing};    # it would fail once more
     $progress->done( 'times', "$point->{scene} $point->{label}" );
     if ($$stopped) { delete $point->{missing}; return }

@@ -45,7 +45,7 @@ sub measure_round {
         next if $point->{missing} || $round > 0 && $point->{took} > LONG;
         my $frames = $slow->{$name} ? 1 : FRAMES;
         my $begun  = time;
-        my $times  = eval { times_of( $point, $folder, $frames ) };
+        my $times  = eval { times_of( $point, $frames ) };
         $point->{took} = time - $begun;
         $slow->{$name} = 1 if $point->{took} > LONG;
         if ($times) { push @{ $point->{timed} }, $times }

@@ -55,7 +55,7 @@ sub measure {
                 step    => $step,
                 options => [ '--scene', $scene, @size, @options ]
             };
-            push @{ $timed{$name} }, times_of( $point, $folder, FRAMES );
+            push @{ $timed{$name} }, times_of( $point, FRAMES );
         }
     }
     summarise( $points{$_}, @{ $timed{$_} } ) for keys %points;

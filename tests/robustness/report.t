@@ -61,24 +61,27 @@ sub files_of {
 
 # --- all goes well -----------------------------------------------------------
 
-my $first = report( 'first', $build );
+# A name with a space, and a file that has its first word for a name.
+spew( "$folder/the", 'mine' );
+my $first = report( 'the first', $build );
 is( $first->{status}, 0, 'five points are measured' )
   or diag( $first->{out}, $first->{err} );
+ok( -e "$folder/the", 'nothing else is removed' );
 is(
-    files_of('first'),
+    files_of('the first'),
     'index.html results.csv results.json',
     'a page, a table, and what it was measured on'
 );
 like( $first->{err}, qr/\d of \d+, \d:\d\d left/, 'progress, and time left' );
-my %first = rows_of('first');
+my %first = rows_of('the first');
 my @names = ( 'PCF 3', 'PCF 7', 'VSM 3', 'VSM 7', 'hard' );
 is( join( ', ', sort keys %first ), join( ', ', @names ), 'the points' );
 
-my $about   = decode_json( slurp("$folder/first/results.json") );
+my $about   = decode_json( slurp("$folder/the first/results.json") );
 my @columns = map { $_->{name} } @{ $about->{columns} };
 is(
     join( ',', @columns ),
-    ( split /\n/, slurp("$folder/first/results.csv") )[0],
+    ( split /\n/, slurp("$folder/the first/results.csv") )[0],
     'each column is documented'
 );
 ok(
@@ -100,14 +103,14 @@ for my $name (@names) {
         "$name: the chain's means add up" );
 }
 
-my $again = report( 'first', $build );
+my $again = report( 'the first', $build );
 is( $again->{status}, 0, 'once more' );
 like(
     $again->{out},
     qr/5 of them from an earlier run/,
     'nothing is measured twice'
 );
-is_deeply( { rows_of('first') }, \%first, 'the same results, and front' );
+is_deeply( { rows_of('the first') }, \%first, 'the same results, and front' );
 
 # --- a program crashes -------------------------------------------------------
 
@@ -116,16 +119,16 @@ my $crashing = with_fake( 'crashing', <<'END', 2 );
 case "$*" in *'--kernel 7'*) kill -SEGV $$ ;; esac
 exec "$real" "$@"
 END
-my $crashed = report( 'first', $crashing );
+my $crashed = report( 'the first', $crashing );
 is( $crashed->{status}, 3, 'a crash: the exit status tells' );
 like(
     $crashed->{out},
     qr/^MISSING edge PCF 7: killed by signal 11/m,
     'a crash: the terminal names the point'
 );
-my $page = slurp("$folder/first/index.html");
+my $page = slurp("$folder/the first/index.html");
 like( $page, qr/edge PCF 7: killed by signal 11/, 'a crash: so does the page' );
-my %crashed = rows_of('first');
+my %crashed = rows_of('the first');
 is( $crashed{'PCF 7'}{footprint_rmse}, '', 'a crash: no number is made up' );
 is(
     $crashed{'PCF 3'}{footprint_rmse},
@@ -133,7 +136,7 @@ is(
     'a crash: the other points are there'
 );
 unlike( $crashed->{out}, qr/^FAILS/m, 'a crash: no claim about what is not' );
-my $repaired = report( 'first', $build );
+my $repaired = report( 'the first', $build );
 is( $repaired->{status}, 0, 'repaired: complete again' );
 
 # --- a claim does not hold ---------------------------------------------------
@@ -142,7 +145,7 @@ is( $repaired->{status}, 0, 'repaired: complete again' );
 my $leaking = with_fake( 'leaking', <<'END', 5 );
 exec "$real" "$@" --min-variance 0.01
 END
-my $leaked = report( 'first', $leaking );
+my $leaked = report( 'the first', $leaking );
 is( $leaked->{status}, 1, 'a claim fails: the exit status tells' );
 like(
     $leaked->{out},
@@ -150,7 +153,7 @@ like(
     'a claim fails: the terminal names it'
 );
 like(
-    slurp("$folder/first/index.html"),
+    slurp("$folder/the first/index.html"),
     qr/FAILS: edge: VSM 7/,
     'a claim fails: so does the page'
 );
