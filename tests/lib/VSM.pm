@@ -21,6 +21,7 @@ use File::Temp qw(tempdir);
 use IPC::Open2 qw(open2);
 use POSIX ();
 use Test::More;
+use Failing qw(is_about made);
 
 our @EXPORT = qw(root program_name program command run run_warm dump_run
   oracle ask_oracle oracle_errors slurp spew everything_below png_size stops);
@@ -50,6 +51,7 @@ sub program { return "$BUILD/" . program_name(@_) }
 # Returns {status, signal, out, err}; running out of time is signal 14.
 sub command {
     my @words = @_;
+    is_about(@words) if $words[0] =~ m{/};    # not where a test looks on
     my $out   = File::Temp->new;
     my $err   = File::Temp->new;
     my $child = fork // die "cannot fork: $!\n";
@@ -75,9 +77,13 @@ sub command {
 
 # Runs a step's program. A --shaders among the arguments comes later and wins.
 sub run {
+    return command( words_of(@_) );
+}
+
+sub words_of {
     my ( $step, @arguments ) = @_;
     my @shaders = $SHADERS ? ( '--shaders', $SHADERS ) : ();
-    return command( program($step), @shaders, @arguments );
+    return ( program($step), @shaders, @arguments );
 }
 
 # The same by a program that stays (tests/warm.c) and has loaded already what
@@ -87,16 +93,17 @@ my %warm;    # by step: the pipes, and the environment at the start
 
 sub run_warm {
     my ( $step, @arguments ) = @_;
-    my @shaders = $SHADERS ? ( '--shaders', $SHADERS ) : ();
-    my $warm    = $warm{$step} //= start_warm($step);
+    my $warm = $warm{$step} //= start_warm($step);
     return run( $step, @arguments )
       if !$warm->{to} || $warm->{environment} ne environment()
       || grep { /[\t\n]/ } @arguments;
+    my ( undef, @words ) = my @all = words_of( $step, @arguments );
+    is_about(@all);
     my ( $out, $err ) = ( File::Temp->new, File::Temp->new );
     local $SIG{PIPE} = 'IGNORE';
     print { $warm->{to} } join( "\t",
-        abs_path('.'), $out->filename, $err->filename, $SECONDS, @shaders,
-        @arguments ), "\n";
+        abs_path('.'), $out->filename, $err->filename, $SECONDS, @words ),
+      "\n";
     $warm->{to}->flush;
     my ( $status, $signal ) = split ' ', readline( $warm->{from} ) // '126 0';
     return {
@@ -141,10 +148,12 @@ END {
 sub dump_run {
     my ( $step, @arguments ) = @_;
     my $key = join "\0", $SHADERS // '', $step, @arguments;
-    return $dumps{$key} if $dumps{$key};
-    my $folder = tempdir( CLEANUP => 1 );
-    my $run = run_warm( $step, @arguments, '--dump', $folder, '--output',
-        "$folder/picture.exr" );
+    my $folder = $dumps{$key} // tempdir( CLEANUP => 1 );
+    my @words =
+      ( @arguments, '--dump', $folder, '--output', "$folder/picture.exr" );
+    made( $folder, words_of( $step, @words ) );
+    return $folder if $dumps{$key};
+    my $run = run_warm( $step, @words );
     die "$run->{err}step $step @arguments: exit status $run->{status}, "
       . "signal $run->{signal}\n"
       if $run->{status} || $run->{signal};
@@ -157,6 +166,7 @@ my ( $ask, $told, $oracle );
 
 sub ask_oracle {
     my @words = @_;
+    is_about( "$BUILD/oracle", @words );
     local $SIG{PIPE} = 'IGNORE';
     $oracle //= open2( $told, $ask, "$BUILD/oracle", 'serve', $SECONDS );
     print $ask join( "\t", @words ), "\n";
