@@ -48,7 +48,7 @@ sub new {
         child  => $child,
         owner  => $$,
         folder => $folder,
-        http   => HTTP::Tiny->new( timeout => 60, proxy => undef ),
+        http   => HTTP::Tiny->new( timeout => 300, proxy => undef ),
         url    => "http://127.0.0.1:$port",
     }, $class;
     $self->wait_for_driver;
@@ -81,7 +81,7 @@ sub new {
 
 sub wait_for_driver {
     my ($self) = @_;
-    for ( 1 .. 100 ) {
+    for ( 1 .. 1200 ) {
         return if $self->{http}->get("$self->{url}/status")->{success};
         sleep 0.1;
     }
