@@ -783,6 +783,29 @@ my %mutants = (
         'robustness/exercise', 'tests/exercise/grade.pl',
         '&& compare(@pictures) == 0', ''
     ],
+    'a test that removes what it did not make' => [
+        'robustness/own_folders', 'tests/lib/VSM.pm',
+        'go_to($empty) if $here', 'go_to($empty) if !$here'
+    ],
+    'dumps of two processes in one folder' => [
+        'robustness/own_folders',
+        'tests/lib/VSM.pm',
+        'my $folder = $dumps{$key} // tempdir( CLEANUP => 1 )',
+        'my $folder = $dumps{$key} // "$BUILD/test"; make_path($folder)'
+    ],
+    'a failure at the line of what the tests share' => [
+        'robustness/failing',
+        'tests/lib/Failing.pm',
+        '$where.\n$again', '$file line $line.\n$again'
+    ],
+    'a failure that fills the screen' => [
+        'robustness/failing', 'tests/lib/Failing.pm',
+        'short( named( $event->message ) )', 'named( $event->message )'
+    ],
+    'a command that cannot be pasted' => [
+        'robustness/failing', 'tests/lib/Failing.pm',
+        "if \$word !~", "if 0 && \$word !~"
+    ],
     'a map that is drawn again for what is elsewhere' => [
         'robustness/touched',
         'step1_shadowmap/map_plan.c',

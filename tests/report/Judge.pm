@@ -9,7 +9,7 @@ use Exporter   qw(import);
 use List::Util qw(max min sum0);
 use Measure    qw(quantile);
 
-our @EXPORT_OK = qw(mark_front claims outcome ratio busy);
+our @EXPORT_OK = qw(mark_front claims outcome ratio busy lies_between spread);
 
 # Whether one point is clearly faster than another, beyond both quartiles, and
 # no more wrong. Medians alone would let noise decide between equals.
@@ -55,23 +55,34 @@ sub ratio {
         map { $these->[$_] / $those->[$_] } 0 .. $rounds - 1 );
 }
 
-# The same of their fastest frames: whatever else the machine does only adds to
-# a frame's time. And the least and the most that it may be, where the rounds
-# disagree. What a point that may be `without` takes is not counted.
+# The least and the most that the ratio of two times may be, each between the
+# lesser and the greater of two. Nothing bounds it where one may be 0.
+sub spread {
+    my ( $these, $those ) = @_;
+    return (
+        $those->[1] > 0 ? $these->[0] / $those->[1] : 0,
+        $those->[0] > 0 ? $these->[1] / $those->[0] : 9**9**9
+    );
+}
+
+# The same ratio of their fastest frames: whatever else the machine does only
+# adds to a frame's time. And the least and the most that it may be, for the
+# rounds disagree, and three frames of four may be that much slower. What a
+# point that may be `without` takes is not counted.
 sub growth {
     my ( $pass, $point, $other, $without ) = @_;
     my $rest = $without ? min( @{ $without->{fastest}{$pass} } ) : 0;
-    my ( $these, $those ) =
-      map {
-        [ map { $_ - $rest } @{ $_->{fastest}{$pass} } ]
-      } $point, $other;
-    my ( $least,    $most )    = ( min(@$these), max(@$these) );
-    my ( $shortest, $longest ) = ( min(@$those), max(@$those) );
-    return ( $least / $shortest, $least / $longest, $most / $shortest );
+    my ( $these, $those ) = map {
+        my @times = map { $_ - $rest } @{ $_->{fastest}{$pass} },
+          $_->{"${pass}_q3"};
+        [ min(@times), max(@times) ]
+    } $point, $other;
+    my ( undef, $growth ) = spread( [ ( $these->[0] ) x 2 ], $those );
+    return ( $growth, spread( $these, $those ) );
 }
 
-# Whether a growth lies between two bounds: 1, 0, or undef where that depends
-# on the round, which is a busy machine's doing.
+# Whether a ratio lies between two bounds: 1, 0, or undef where that depends
+# on the frame, which is a busy machine's doing.
 sub lies_between {
     my ( $least, $most, $growth, $from, $to ) = @_;
     return 1 if $growth >= $least && $growth <= $most;

@@ -103,6 +103,27 @@ our %MISTAKES = (
         $WORDS,                      'tests/report/Judge.pm',
         'return   if $to >= $least', 'return 1 if $to >= $least'
     ],
+    'a busy machine\'s slow frames are not looked at' => [
+        $WORDS,
+        'tests/report/Judge.pm',
+        'max(@times) ]',
+        'max( @times[ 0 .. $#times - 1 ] ) ]'
+    ],
+    'a start that waited for others fails' => [
+        'robustness/bench',         'tests/report/Startup.pm',
+        'return   if $waits > 1.2', 'return 0 if $waits > 1.2'
+    ],
+    'an exponent by medians alone' => [
+        'robustness/bench', 'tests/report/bench.pl',
+        '[qw(q3 q1)], [qw(q1 q3)]', '[qw(ms ms)], [qw(ms ms)]'
+    ],
+    'what one round saves decides' => [
+        'robustness/bench', 'tests/report/saved.pl', '0.25, 0.75', '1, 1'
+    ],
+    'a folder\'s name with a space is two' => [
+        'robustness/report',       'tests/report/Measure.pm',
+        'bsd_glob("$folder/kept/', 'glob("$folder/kept/'
+    ],
     'a crossing without logarithms' => [
         $WORDS,
         'tests/report/Verdict.pm',

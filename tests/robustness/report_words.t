@@ -26,6 +26,7 @@ sub point {
         medians        => { total   => $times, shading => $times },
         fastest        => { shading => $times },
         total_ms       => $sorted[ @sorted / 2 ],
+        shading_q3     => $sorted[-1],
         total_q1       => $sorted[0],
         total_q3       => $sorted[-1],
         footprint_rmse => $rmse,
@@ -301,10 +302,10 @@ is( claims( point( 'VSM 3', [1], 0.1, missing => 'it crashed' ) ),
 # What is claimed of shading with a narrow and a wide filter, from the fastest
 # frames of some rounds.
 sub growth {
-    my ( $name, $narrow, $wide ) = @_;
+    my ( $name, $narrow, $wide, @more ) = @_;
     my @claims = claims(
         point( 'hard',     [ 0.6, 0.5 ], 0.1, scene => 'thin' ),
-        point( "$name 7",  $narrow,      0.1, scene => 'thin' ),
+        point( "$name 7",  $narrow,      0.1, scene => 'thin', @more ),
         point( "$name 31", $wide,        0.1, scene => 'thin' )
     );
     return outcome( grep { $_->{text} =~ /shading/ } @claims );
@@ -320,6 +321,12 @@ is( growth( 'VSM', [ 1, 1.1 ], [ 1.5, 1.3 ] ),
     'unclear', 'where rounds disagree about it, nothing is claimed' );
 is( growth( 'VSM', [ 1, 1.1 ], [ 1.5, 1.4 ] ),
     'FAILS', 'where all agree that it fails, it does' );
+
+is(
+    growth( 'VSM', [ 1, 1 ], [ 1.3, 1.3 ], shading_q3 => 1.4 ),
+    'unclear', 'where frames differ by more than that, nothing is claimed'
+);
+is( growth( 'PCF', [0.4], [4] ), 'unclear', 'nor where PCF adds nothing' );
 
 # --- the sweep ---------------------------------------------------------------
 
