@@ -1,10 +1,21 @@
 # Variance shadow maps, step by step. `make help` lists the commands.
 
 ROOT := .
+STEP_GIVEN := $(filter-out undefined,$(origin STEP))
 STEP ?= 5
 DEPS ?= yes
 PROGRAMS := step1_shadowmap step2_pcf step3_moments step4_blur step5_chebyshev
-program = $(filter step$(STEP)_%,$(PROGRAMS))
+
+# STEP and DIR are checked before anything is built. The brackets make a space
+# an error.
+$(if $(filter-out [1] [2] [3] [4] [5],[$(value STEP)]),\
+    $(error STEP is 1, 2, 3, 4 or 5, as in make test STEP=3))
+$(if $(and $(filter diff,$(MAKECMDGOALS)),$(filter 1,$(STEP))),\
+    $(error No step is before 1. STEP is 2, 3, 4 or 5 here: make diff STEP=2))
+$(foreach goal,$(filter standalone exercise grade,$(MAKECMDGOALS)),\
+    $(if $(value DIR),,$(error say where: make $(goal) STEP=$(STEP) DIR=mine)))
+program := $(word $(STEP),$(PROGRAMS))
+before := $(word $(STEP),none $(PROGRAMS))
 PICTURES := $(patsubst %,out/step%.png,1 2 3 4 5)
 SETUP := set-up
 
@@ -41,20 +52,12 @@ out/steps.png: $(PICTURES)
 	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png'
 
 standalone: ## copy exactly step STEP's files to DIR, which then builds alone
-	@test -n '$(DIR)' || { echo 'say where: make standalone STEP=4 DIR=mine'; exit 2; }
-	@test -n '$(program)' || { echo 'STEP is 1 to 5'; exit 2; }
-	@mkdir -p '$(DIR)'
-	@cp --parents $($(program)) $(base) $(program)/Makefile '$(DIR)'
-	@printf 'ROOT := .\ninclude $(program)/Makefile\n' >'$(DIR)/Makefile'
-	@echo 'make -C $(DIR) builds $(DIR)/build/$(program)'
+	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) $($(program)) $(base)
 
-window: $(program:%=build/%) ## open step STEP in a window
-	@test -n '$(program)' || { echo 'STEP is 1 to 5'; exit 2; }
+window: $(BUILD)/$(program) ## open step STEP in a window
 	@$< --window
 
-before = $(filter step$(shell expr $(STEP) - 1)_%,$(PROGRAMS))
 diff: ## what step STEP changes against the step before it
-	@test -n '$(before)' || { echo 'STEP is 2 to 5'; exit 2; }
 	@diff -u --label '$(before)/main.c' --label '$(program)/main.c' \
 	    $(before)/main.c $(program)/main.c || test $$? = 1
 	@for f in $(filter-out $(program)/main.c,$(filter-out $($(before)),$($(program)))); do \

@@ -825,6 +825,30 @@ my %mutants = (
         'high[axis] = (texels->high[axis] + 1.0)',
         'high[axis] = (texels->low[axis] + 1.0)'
     ],
+    'a word that make evaluates' => [
+        'robustness/words',   'step1_shadowmap/base/base.mk',
+        '$(filter command,', '$(filter nobody,'
+    ],
+    'a STEP that is not checked' => [
+        'robustness/words', 'Makefile',
+        '[$(value STEP)]',  '[5]'
+    ],
+    'a copy that writes over a folder' => [
+        'robustness/words', 'step1_shadowmap/base/standalone.sh',
+        '[ -z "$files" ]',  'true'
+    ],
+    'a copy that does not see hidden files' => [
+        'robustness/words', 'step1_shadowmap/base/standalone.sh',
+        'ls -Aq',           'ls -q'
+    ],
+    'a copy that is taken for a step' => [
+        'robustness/words', 'step1_shadowmap/base/standalone.sh',
+        '"$(pwd -P)"/step* | ', ''
+    ],
+    'a command that is printed without quotes' => [
+        'robustness/words', 'step1_shadowmap/base/standalone.sh',
+        '*[!A-Za-z0-9./_-]*', 'nothing'
+    ],
 );
 
 sub read_file {
@@ -855,7 +879,8 @@ my @REPORT = qw(Makefile tests/tests.mk tests/lib tests/exercise tests/report
 
 sub build_in {
     my ( $folder, $target ) = @_;
-    system("make -C $folder DEPS=no $target >$folder/log 2>&1") == 0
+    system( 'sh', '-c', 'make -C "$0" DEPS=no "$1" >"$0/log" 2>&1',
+        $folder, $target ) == 0
       or die "the mutant does not build:\n" . read_file("$folder/log");
     return;
 }
@@ -868,6 +893,7 @@ sub plant {
     my ($kind) = map { /\.(cpp|c|h|p[lm]|sh)$/ ? $1 : () } @change;
     $kind //= 'shader';
     $kind = 'c' if $change[0] =~ /^step.*cpp$/;    # of the programs
+    $kind = 'sh' if $change[0] =~ /Makefile$|\.mk$/;
     copy_to( $folder, @REPORT, glob('step*') ) if $kind =~ /^(?:p|sh$)/;
     copy_to( $folder, @SOURCES ) if $kind =~ /^(?:c|h|cpp)$/;
     copy_to( $folder, @ORACLE )  if $kind eq 'cpp';
@@ -897,8 +923,8 @@ sub first_failure {
     my $own = File::Temp->newdir;    # what a test leaves that is stopped
     local @ENV{ 'TMPDIR', keys %where } = ( "$own", values %where );
     my $file = 'tests/' . ( $test =~ m{/} ? '' : 'images/' ) . "$test.t";
-    my $child = open my $tap, '-|',
-      "cd $folder && exec perl -Itests/lib $file 2>/dev/null"
+    my $child = open my $tap, '-|', 'sh', '-c',
+      'cd "$0" && exec perl -Itests/lib "$1" 2>/dev/null', $folder, $file
       or die "cannot run perl: $!\n";
     while (<$tap>) {
         next unless /^not ok \d+ - (.*)$/;

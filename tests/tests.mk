@@ -10,7 +10,7 @@ LINT_RECOGNISED := clang:command:clang clang-format:command:clang-format \
     shellcheck:command:shellcheck
 
 set-up-tests: set-up
-	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the tests' $(TEST_RECOGNISED)
+	@sh step1_shadowmap/base/set-up.sh $(DEPS) 'the tests' $(TEST_RECOGNISED)
 
 # The formulas on their own, in C: roundings are counted here too.
 STABILITY_SOURCES := $(wildcard tests/stability/*.c)
@@ -66,11 +66,8 @@ $(foreach p,$(PROGRAMS),$(eval $(call warm_rule,$p)))
 .PHONY: warm
 warm: programs $(PROGRAMS:%=$(BUILD)/warm/%)
 
-ifeq ($(origin STEP),command line)
-TESTS = tests/images/step$(STEP).t
-else
-TESTS = -r tests/images tests/robustness tests/stability
-endif
+TESTS := $(if $(STEP_GIVEN),tests/images/step$(STEP).t,\
+    -r tests/images tests/robustness tests/stability)
 
 # A program that draws for a fifth of a second waits longest for its memory:
 # in large pages, where there are some, it is there sooner. (Not where time is
@@ -88,14 +85,14 @@ test: set-up-tests warm $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (ST
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
     -fno-sanitize-recover=undefined
 sanitize: ## run every test on programs built with ASan and UBSan
-	@LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0 \
+	@LSAN_OPTIONS="suppressions=\"$$PWD/tests/lsan.supp\":print_suppressions=0" \
 	    ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	    VSM_SLOW=1 $(MAKE) BUILD=build/sanitize CFLAGS='$(SANITIZE)' \
 	    CXXFLAGS='$(SANITIZE)' LDFLAGS='$(SANITIZE)' test
 
 REPORT_RECOGNISED := libjxl-devtools:command:butteraugli_main
 report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/report/ (REPORT=quick: in 2 minutes)
-	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the report' $(REPORT_RECOGNISED)
+	@sh step1_shadowmap/base/set-up.sh $(DEPS) 'the report' $(REPORT_RECOGNISED)
 	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
 
 table: set-up-tests programs $(BUILD)/oracle ## what a frame of each step costs, and how wrong it is
@@ -111,10 +108,10 @@ mutants: set-up-tests warm $(BUILD)/oracle ## plant mistakes one at a time: each
 	@$(LARGE_PAGES) VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
 exercise: set-up-tests ## copy step STEP to DIR with its functions emptied, for a student to write
-	@perl tests/exercise/exercise.pl '$(STEP)' '$(DIR)'
+	@perl tests/exercise/exercise.pl $(STEP) "$$DIR"
 
 grade: set-up-tests warm $(BUILD)/oracle ## marks for what was written in DIR, with reasons and pictures
-	@VSM_BUILD=$(BUILD) perl tests/exercise/grade.pl '$(STEP)' '$(DIR)'
+	@VSM_BUILD=$(BUILD) perl tests/exercise/grade.pl $(STEP) "$$DIR"
 
 stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## the extreme cases, as a table and out/stability/results.csv
 	@VSM_BUILD=$(BUILD) perl tests/stability/stability.pl
@@ -137,7 +134,7 @@ figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## make every commi
 
 CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
 lint: programs $(BUILD)/oracle ## compile with gcc and clang without a warning, check the format
-	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'lint' $(LINT_RECOGNISED)
+	@sh step1_shadowmap/base/set-up.sh $(DEPS) 'lint' $(LINT_RECOGNISED)
 	@clang-format --dry-run --Werror $(CODE)
 	@sh tests/lint.sh
 

@@ -70,6 +70,19 @@ base := \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
     step1_shadowmap/base/base.mk
 
+# A word on the command line is data. Otherwise make would evaluate the name of
+# a folder, for example $(shell ...), when it hands the name to a recipe. Recipes
+# read such words from their environment. The compilers and their flags stay
+# text for make and the shell.
+$(foreach word,$(filter-out CC CXX %FLAGS,$(.VARIABLES)),\
+    $(if $(filter command,$(firstword $(origin $(word)))),\
+        $(eval override $(word) := $$(value $(word)))$(eval export $(word))))
+
+# A single folder or a copy of it installs nothing.
+DEPS ?= no
+$(if $(filter-out [yes] [no],[$(value DEPS)]),\
+    $(error DEPS is yes or no, as in make DEPS=no))
+
 # On all processors, unless make is told otherwise; several goals (make clean
 # all) one after the other.
 ifeq ($(MAKELEVEL)$(word 2,$(MAKECMDGOALS)),0)
@@ -81,6 +94,11 @@ CXXFLAGS ?= -O2 -g
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 PACKAGES := osmesa glfw3 cglm libpng OpenEXR
 BUILD := $(ROOT)/build
+# BUILD stands in targets and in recipes without quotes.
+special := $(foreach character,' " ` \ $$ \# % & | ; : < > ( ) [ ] * ? ~,\
+    $(findstring $(character),$(BUILD)))
+$(if $(strip $(special) $(filter-out 2,$(words $(BUILD) [$(BUILD)]))),\
+    $(error BUILD names a folder, without spaces and special characters))
 # Recursive on purpose: the set-up may install the packages first.
 INCLUDES = -I$(ROOT) -I$(BUILD)/glad/include \
     $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I $(PACKAGES)))
