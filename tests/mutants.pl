@@ -875,7 +875,7 @@ my @SOURCES = (
 );
 my @ORACLE = qw(tests/oracle tests/stability build/obj/tests);
 my @REPORT = qw(Makefile tests/tests.mk tests/lib tests/exercise tests/report
-  tests/robustness README.md);
+  tests/robustness README.md .gitignore);
 
 sub build_in {
     my ( $folder, $target ) = @_;

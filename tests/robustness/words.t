@@ -173,4 +173,16 @@ SKIP: {
     ok( !-e $ENV{MARK}, 'a class: nothing is evaluated' );
 }
 
+# --- what the guides make ------------------------------------------------------
+
+# Where the READMEs' own commands write, git does not look.
+my %ignored = map { $_ => 1 } slurp( root() . '/.gitignore' ) =~ m{^/(.*?)/?$}mg;
+chdir root();
+for my $guide ( 'README.md', glob('*/README.md'), glob('tests/*/README.md') ) {
+    for ( slurp($guide) =~ /^(?: {4}|\| `)(.*)/mg ) {
+        my @paths = /(?:DIR=|--output |--dump |mkdir -p |for d in )([\w.]+)/g;
+        ok( $ignored{$_}, "$guide: git ignores $_" ) for @paths;
+    }
+}
+
 done_testing;
