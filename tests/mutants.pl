@@ -849,6 +849,14 @@ my %mutants = (
         'robustness/words', 'step1_shadowmap/base/standalone.sh',
         '*[!A-Za-z0-9./_-]*', 'nothing'
     ],
+    'a path of the tree that a shell reads' => [
+        'robustness/words',    'tests/lib/VSM.pm',
+        q{$program, 'serve' }, '$program '
+    ],
+    'a path of the tree that is a pattern' => [
+        'robustness/words', 'tests/lib/VSM.pm',
+        '$folder =~ s/([][{}*?~\\\\])/\\\\$1/gr . ', '$folder . '
+    ],
 );
 
 sub read_file {

@@ -142,7 +142,8 @@ sub prefer {
 
 sub open_file {
     my ( $self, $path ) = @_;
-    $self->ask( POST => "$self->{session}/url", { url => "file://$path" } );
+    my $url = 'file://' . $path =~ s{([^\w./-])}{sprintf '%%%02X', ord $1}gear;
+    $self->ask( POST => "$self->{session}/url", { url => $url } );
     return;
 }
 

@@ -24,7 +24,8 @@ use Test::More;
 use Failing qw(is_about made);
 
 our @EXPORT = qw(root program_name program command run run_warm dump_run
-  oracle ask_oracle oracle_errors slurp spew everything_below png_size stops);
+  oracle ask_oracle oracle_errors slurp spew everything_below matching png_size
+  stops);
 
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
@@ -44,7 +45,7 @@ sub root { return $ROOT }
 # "step3_moments" for 3.
 sub program_name {
     my ($step) = @_;
-    my ($folder) = bsd_glob("$ROOT/step${step}_*")
+    my ($folder) = matching( $ROOT, "step${step}_*" )
       or die "there is no step $step\n";
     return basename($folder);
 }
@@ -98,10 +99,10 @@ my %warm;    # by step: the pipes, and the environment at the start
 sub run_warm {
     my ( $step, @arguments ) = @_;
     my $warm = $warm{$step} //= start_warm($step);
+    my ( undef, @words ) = my @all = words_of( $step, @arguments );
     return run( $step, @arguments )
       if !$warm->{to} || $warm->{environment} ne environment()
-      || grep { /[\t\n]/ } @arguments;
-    my ( undef, @words ) = my @all = words_of( $step, @arguments );
+      || grep { /[\t\n]/ } abs_path('.'), @words;
     is_about(@all);
     my ( $out, $err ) = ( File::Temp->new, File::Temp->new );
     local $SIG{PIPE} = 'IGNORE';
@@ -125,7 +126,7 @@ sub start_warm {
     my $program = "$BUILD/warm/" . program_name($step);
     return {}
       if $ENV{VSM_SLOW} || !-e $program || -M $program > -M program($step);
-    my $child = open2( my $from, my $to, $program );
+    my $child = open2( my $from, my $to, $program, 'serve' );
     return {
         child       => $child,
         from        => $from,
@@ -171,6 +172,10 @@ my ( $ask, $told, $oracle );
 sub ask_oracle {
     my @words = @_;
     is_about( "$BUILD/oracle", @words );
+    if ( grep { /[\t\n]/ } @words ) {
+        my $run = command( "$BUILD/oracle", @words );
+        return { %$run, out => $run->{out} . $run->{err} };
+    }
     local $SIG{PIPE} = 'IGNORE';
     $oracle //= open2( $told, $ask, "$BUILD/oracle", 'serve', $SECONDS );
     print $ask join( "\t", @words ), "\n";
@@ -252,6 +257,13 @@ sub everything_below {
     };
     find( { wanted => $note, no_chdir => 1 }, $folder );
     return sort @paths;
+}
+
+# The paths below a folder that match a pattern. The folder's own name is none,
+# whatever characters are in it.
+sub matching {
+    my ( $folder, $pattern ) = @_;
+    return bsd_glob( $folder =~ s/([][{}*?~\\])/\\$1/gr . "/$pattern" );
 }
 
 # "160x90", or "" for what is no PNG. Width and height follow the signature

@@ -8,7 +8,6 @@ use warnings;
 
 use Digest::SHA  qw(sha1_hex);
 use Exporter     qw(import);
-use File::Glob   qw(bsd_glob);
 use File::Path   qw(make_path remove_tree);
 use File::Temp   qw(tempdir);
 use JSON::PP     ();
@@ -60,7 +59,7 @@ sub content {
 
 sub shaders {
     my @folders = ( root(), $ENV{VSM_SHADERS} // () );
-    return content( sort map { bsd_glob("$_/step*/shaders/*") } @folders );
+    return content( sort map { matching( $_, 'step*/shaders/*' ) } @folders );
 }
 
 # The processors by their names; one without a name where that is not known.
@@ -163,7 +162,7 @@ sub truths_folder {
     my ($folder) = @_;
     my $own = "$folder/kept/truths." . substr content( oracle_path() ), 0, 16;
     return $own if -d $own;
-    remove_tree( bsd_glob("$folder/kept/truths.*") );
+    remove_tree( matching( $folder, 'kept/truths.*' ) );
     make_path($own);
     return $own;
 }

@@ -31,7 +31,7 @@ sub with_fake {
     for my $step ( 1 .. 5 ) {
         my $path = "$programs/" . program_name($step);
         if ( grep { $_ == $step } @steps ) {
-            spew( $path, "#!/bin/sh\nreal=" . program($step) . "\n$script" );
+            spew( $path, "#!/bin/sh\nreal=" . quotemeta( program($step) ) . "\n$script" );
             chmod 0755, $path;
         }
         else { symlink program($step), $path }

@@ -4,7 +4,6 @@
 use strict;
 use warnings;
 
-use File::Glob qw(bsd_glob);
 use Test::More;
 use VSM;
 
@@ -31,7 +30,7 @@ for my $row (@rows) {
     my $known = !defined $value || $choices !~ /,/ || $choices =~ /\b$value\b/;
     ok( $known, "$name: $flag takes " . ( $value // 'any' ) );
     my $words = join '',
-      map { slurp($_) } bsd_glob( root() . "/step${step}_*/*.md" );
+      map { slurp($_) } matching( root(), "step${step}_*/*.md" );
     like( $words, qr/\Q$flag\E\b/, "$name: step $step says what $flag is for" );
     like( $words, qr/\b$value\b/, "$name: step $step says what $value is" )
       if defined $value;

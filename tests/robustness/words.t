@@ -4,6 +4,7 @@
 use strict;
 use warnings;
 
+use File::Basename qw(dirname);
 use File::Path qw(make_path);
 use File::Temp qw(tempdir);
 use Test::More;
@@ -41,7 +42,8 @@ spew( 'tests/tests.mk',
     slurp('tests/tests.mk') =~ s/^(exercise|grade|report):[^#]*/$1: /mgr );
 spew( 'step1_shadowmap/base/set-up.sh', '' );
 for my $script (qw(exercise/exercise exercise/grade report/report)) {
-    spew( "tests/$script.pl", 'print map { "<$_>" } @ARGV, $ENV{REPORT} // ();' );
+    spew( "tests/$script.pl",
+        'print map { "<$_>" } @ARGV, $ENV{REPORT} // ();' );
 }
 
 sub make {
@@ -155,7 +157,7 @@ for my $word (@attacks) {
     ok( !$run->{evaluated}, "REPORT=$word is not evaluated" );
 }
 
-# --- a class -------------------------------------------------------------------
+# --- a class -----------------------------------------------------------------
 
 # The guide's loop over folders that students have named.
 my ($loop) = slurp('tests/exercise/README.md') =~ /^ {4}(for d in .*)$/m;
@@ -173,10 +175,33 @@ SKIP: {
     ok( !-e $ENV{MARK}, 'a class: nothing is evaluated' );
 }
 
-# --- what the guides make ------------------------------------------------------
+# --- the tree's own path -----------------------------------------------------
+
+symlink dirname( program(1) ), 'build';
+my $said;
+{
+    delete local $ENV{VSM_BUILD};
+    $said = command( $^X, '-Itests/lib', '-MVSM', '-e', <<'END');
+print map { program_name($_), "\n" } 1 .. 5;
+my $picture = root() . '/p.exr';
+run_warm( 1, qw(--size 16x9 --output), $picture );
+print ask_oracle( 'compare', $picture, $picture, 'max=0' )->{status}, "\n";
+END
+}
+is( $said->{out}, join( "\n", ( map { program_name($_) } 1 .. 5 ), 0, '' ),
+    'the tests find the steps, draw and compare' )
+  or diag( $said->{err} );
+
+my $odd = "$work/a\tb\nc";
+mkdir $odd;
+command( program(1), qw(--size 16x9 --output), "$odd/p.exr" );
+oracle( 'compare', "$odd/p.exr", "$odd/p.exr", 'max=0' );
+
+# --- what the guides make ----------------------------------------------------
 
 # Where the READMEs' own commands write, git does not look.
-my %ignored = map { $_ => 1 } slurp( root() . '/.gitignore' ) =~ m{^/(.*?)/?$}mg;
+my %ignored =
+  map { $_ => 1 } slurp( root() . '/.gitignore' ) =~ m{^/(.*?)/?$}mg;
 chdir root();
 for my $guide ( 'README.md', glob('*/README.md'), glob('tests/*/README.md') ) {
     for ( slurp($guide) =~ /^(?: {4}|\| `)(.*)/mg ) {
