@@ -36,8 +36,10 @@ for my $step ( 1 .. 5 ) {
 # Without an oracle it says what it can.
 symlink "$build/" . program_name($_), "$work/" . program_name($_) for 1 .. 5;
 ( $out, @rows ) = rows($work);
-like( $out, qr/make table/, 'and how to get the rest' );
-is( "@{$_}[4, 5]", '- -', "$_->[0]: nothing is made up" ) for @rows;
+like( $out, qr/make table: how wrong/, 'and how to get the rest' );
+$out =~ s/make table.*//;
+unlike( $out, qr/wrong/i, 'without a word of the rest' );
+is( scalar @$_, 4, "$_->[0]: nothing is made up" ) for @rows;
 
 chdir '/';
 done_testing;
