@@ -3,6 +3,7 @@
 # scripts through theirs; and a lesson's length. Run by `make lint`, after the
 # set-up.
 set -eu
+export LC_ALL=C # wc says "total"
 set -- -I. -Ibuild/glad/include '-DSHADER_ROOT=""' -fsyntax-only -Werror \
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 packages=$(pkg-config --cflags-only-I osmesa cglm glfw3 |

@@ -763,6 +763,13 @@ my %mutants = (
         'robustness/table', 'tests/report/table.sh',
         'rmse["hard"]', 'rmse["pcf"]'
     ],
+    'a table in the user\'s locale' => [
+        'robustness/locale', 'tests/report/table.sh', 'export LC_ALL=C', ':'
+    ],
+    'a script in the user\'s locale' => [
+        'robustness/locale', 'tests/report/headline.sh',
+        'export LC_ALL=C', ':'
+    ],
     'every answer is right' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '/^FAIL (.*)/ ? $1', '/^FAIL (.*)/ ? ()'
@@ -883,7 +890,7 @@ my @SOURCES = (
 );
 my @ORACLE = qw(tests/oracle tests/stability build/obj/tests);
 my @REPORT = qw(Makefile tests/tests.mk tests/lib tests/exercise tests/report
-  tests/robustness README.md .gitignore);
+  tests/robustness tests/stability README.md .gitignore);
 
 sub build_in {
     my ( $folder, $target ) = @_;

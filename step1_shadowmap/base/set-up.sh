@@ -5,6 +5,7 @@
 # (KIND command, module, header). With "no" nothing is installed: a missing
 # package is named, and the exit status is 1.
 set -eu
+export LC_ALL=C
 install=$1
 purpose=$2
 shift 2

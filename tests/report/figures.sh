@@ -3,6 +3,7 @@
 # and error.png, its visibility minus footprint truth.
 # usage: figures.sh BUILD PROGRAM
 set -eu
+export LC_ALL=C # numbers have points
 build=$1
 program=$2
 dump=out/figures/$program

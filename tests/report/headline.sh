@@ -4,6 +4,7 @@
 # numbers of its table: map and blur, shading, RMSE by footprint and ray.
 # usage: headline.sh BUILD
 set -eu
+export LC_ALL=C # numbers have points
 out=out/figures/report
 mkdir -p "$out"
 VSM_BUILD=$1 REPORT=headline REPORT_OUT=$out perl tests/report/report.pl \

@@ -2,6 +2,7 @@
 # What a frame of each step costs and, where there is an oracle, how wrong its
 # visibility is: for `make` and `make table`. usage: table.sh BUILD [SIZE]
 set -eu
+export LC_ALL=C # numbers have points
 build=$1
 size=${2:-640x360}
 frames=31
