@@ -19,7 +19,8 @@ before := $(word $(STEP),none $(PROGRAMS))
 PICTURES := $(patsubst %,out/step%.png,1 2 3 4 5)
 SETUP := set-up
 
-all: out/steps.png ## set up, build, and draw all five pictures into out/
+all: out/steps.png out/table.txt ## set up, build, and draw all five pictures into out/
+	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png'
 
 include $(PROGRAMS:%=%/Makefile)
 include step1_shadowmap/base/base.mk
@@ -33,23 +34,31 @@ include tests/tests.mk
 RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
     python3-glad:command:glad libosmesa6-dev:module:osmesa \
     libglfw3-dev:module:glfw3 libcglm-dev:module:cglm \
-    libpng-dev:module:libpng libopenexr-dev:module:OpenEXR \
-    openimageio-tools:command:oiiotool
+    libpng-dev:module:libpng libopenexr-dev:module:OpenEXR
 
 set-up: ## install the packages that are missing (DEPS=no: only name them)
 	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the programs' $(RECOGNISED)
 
-# A picture is made again when its program or any shader has changed.
-SHADERS := $(wildcard step*/shaders/*)
-.SECONDEXPANSION:
-out/step%.png: $(BUILD)/$$(wildcard step$$*_*) $(SHADERS)
+# All pictures are made again when a program or a shader has changed, or when
+# one of them is missing or is newer than the strip: somebody else wrote it.
+MADE_FROM := $(PROGRAMS:%=$(BUILD)/%) $(wildcard step*/shaders/*)
+$(PICTURES): ;
+out/steps.png: $(MADE_FROM) $(PICTURES) $(BUILD)/strip
 	@mkdir -p out
-	$< --output $@
+	@for p in $(PROGRAMS); do \
+	    draw="$(BUILD)/$$p --output out/$${p%%_*}.png"; \
+	    echo "$$draw"; $$draw || exit 1; done
+	@$(BUILD)/strip $@ $(PICTURES)
 
-out/steps.png: $(PICTURES)
-	@oiiotool $^ --mosaic:pad=8 5x1 --resize 3200x0 -d uint8 -o $@
-	@sh tests/report/table.sh $(BUILD)
-	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png'
+$(BUILD)/strip: PACKAGES := libpng
+$(BUILD)/strip: $(BUILD)/obj/tests/report/strip.c.o
+	@echo link $@
+	@$(CC) $(LDFLAGS) -o $@ $< $(LIBRARIES)
+
+# After the pictures: only one of the two at a time.
+out/table.txt: $(MADE_FROM) tests/report/table.sh | out/steps.png
+	@sh tests/report/table.sh $(BUILD) >$@
+	@cat $@
 
 standalone: ## copy exactly step STEP's files to DIR, which then builds alone
 	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) $($(program)) $(base)

@@ -770,6 +770,19 @@ my %mutants = (
         'robustness/locale', 'tests/report/headline.sh',
         'export LC_ALL=C', ':'
     ],
+    'what somebody drew by hand stays' => [
+        'robustness/pictures', 'Makefile',
+        '$(MADE_FROM) $(PICTURES)', '$(MADE_FROM)'
+    ],
+    'a table that takes the strip with it' => [
+        'robustness/pictures', 'Makefile',
+        '$(BUILD)/strip $@ $(PICTURES)',
+        '$(BUILD)/strip $@ $(PICTURES) && sh tests/report/table.sh $(BUILD)'
+    ],
+    'a picture twice in the strip' => [
+        'robustness/pictures', 'tests/report/strip.c',
+        'opened(argv[i + 2])', 'opened(argv[2])'
+    ],
     'every answer is right' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '/^FAIL (.*)/ ? $1', '/^FAIL (.*)/ ? ()'
@@ -908,7 +921,8 @@ sub plant {
     my ($kind) = map { /\.(cpp|c|h|p[lm]|sh)$/ ? $1 : () } @change;
     $kind //= 'shader';
     $kind = 'c' if $change[0] =~ /^step.*cpp$/;    # of the programs
-    $kind = 'sh' if $change[0] =~ /Makefile$|\.mk$/;
+    # What a test itself makes, from the tree that it is in.
+    $kind = 'sh' if $change[0] =~ /Makefile$|\.mk$|strip\.c$/;
     copy_to( $folder, @REPORT, glob('step*') ) if $kind =~ /^(?:p|sh$)/;
     copy_to( $folder, @SOURCES ) if $kind =~ /^(?:c|h|cpp)$/;
     copy_to( $folder, @ORACLE )  if $kind eq 'cpp';

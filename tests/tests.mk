@@ -1,7 +1,7 @@
 # The tests, and what only they need. `make test STEP=3` runs one step's.
 
 TEST_RECOGNISED := libglm-dev:module:glm perl:command:prove \
-    libopenimageio-dev:module:OpenImageIO \
+    libopenimageio-dev:module:OpenImageIO openimageio-tools:command:oiiotool \
     libembree-dev:header:/usr/include/embree*/rtcore.h \
     nlohmann-json3-dev:header:/usr/include/nlohmann/json.hpp \
     gnuplot-nox:command:gnuplot xvfb:command:Xvfb \
