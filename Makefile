@@ -17,7 +17,6 @@ $(foreach goal,$(filter standalone exercise grade,$(MAKECMDGOALS)),\
 program := $(word $(STEP),$(PROGRAMS))
 before := $(word $(STEP),none $(PROGRAMS))
 PICTURES := $(patsubst %,out/step%.png,1 2 3 4 5)
-SETUP := set-up
 
 all: out/steps.png out/table.txt ## set up, build, and draw all five pictures into out/
 	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png'
@@ -29,15 +28,6 @@ include tests/tests.mk
 .PHONY: all programs set-up set-up-tests test identical stability fuzz mutants saved \
     sanitize report table bench exercise grade standalone window diff figures lint \
     format clean help
-
-# What each Debian package is recognised by.
-RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
-    python3-glad:command:glad libosmesa6-dev:module:osmesa \
-    libglfw3-dev:module:glfw3 libcglm-dev:module:cglm \
-    libpng-dev:module:libpng libopenexr-dev:module:OpenEXR
-
-set-up: ## install the packages that are missing (DEPS=no: only name them)
-	@sh step1_shadowmap/base/set-up.sh '$(DEPS)' 'the programs' $(RECOGNISED)
 
 # All pictures are made again when a program or a shader has changed, or when
 # one of them is missing or is newer than the strip: somebody else wrote it.

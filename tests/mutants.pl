@@ -770,6 +770,21 @@ my %mutants = (
         'robustness/locale', 'tests/report/headline.sh',
         'export LC_ALL=C', ':'
     ],
+    'an install that says no size' =>
+      [ 'robustness/set_up', 'step1_shadowmap/base/set-up.sh', ': $cost;', ';' ],
+    'a system without OSMesa like any other' => [
+        'robustness/set_up', 'step1_shadowmap/base/set-up.sh',
+        '*libosmesa6-dev*)', 'libosmesa6-dev)'
+    ],
+    'an install that asks questions under sudo' => [
+        'robustness/set_up', 'step1_shadowmap/base/set-up.sh',
+        '$as_root env DEBIAN_FRONTEND=noninteractive',
+        'DEBIAN_FRONTEND=noninteractive $as_root'
+    ],
+    'a copy that does not look for packages' => [
+        'robustness/set_up', 'step1_shadowmap/base/base.mk',
+        'glad/gl.h: | set-up', 'glad/gl.h:'
+    ],
     'what somebody drew by hand stays' => [
         'robustness/pictures', 'Makefile',
         '$(MADE_FROM) $(PICTURES)', '$(MADE_FROM)'

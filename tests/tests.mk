@@ -19,7 +19,7 @@ export PERL_BADLANG := 0
 # The formulas on their own, in C: roundings are counted here too.
 STABILITY_SOURCES := $(wildcard tests/stability/*.c)
 STABILITY_OBJECTS := $(STABILITY_SOURCES:%=$(BUILD)/obj/%.o)
-$(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | $(SETUP)
+$(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | set-up
 	@mkdir -p $(@D)
 	@echo compile $<
 	@$(CC) -std=c11 -MMD -MP $(WARNINGS) -I. $(CFLAGS) -ffp-contract=off \

@@ -68,7 +68,7 @@ base := \
     step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
     step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
-    step1_shadowmap/base/base.mk
+    step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh
 
 # A word on the command line is data. Otherwise make would evaluate the name of
 # a folder, for example $(shell ...), when it hands the name to a recipe. Recipes
@@ -110,6 +110,19 @@ all_objects := $(sort $(foreach p,$(PROGRAMS),$(call objects,$p)))
 .DELETE_ON_ERROR:
 programs: $(PROGRAMS:%=$(BUILD)/%)
 
+# Which Debian packages a program needs, and what each is recognised by.
+RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
+    python3-glad:command:glad libosmesa6-dev:module:osmesa \
+    libglfw3-dev:module:glfw3 libcglm-dev:module:cglm \
+    libpng-dev:module:libpng libopenexr-dev:module:OpenEXR
+
+# A single folder or a copy of it names what is missing and installs nothing.
+DEPS ?= no
+.PHONY: set-up
+set-up: ## install the packages that are missing (DEPS=no: only name them)
+	@sh $(ROOT)/step1_shadowmap/base/set-up.sh '$(DEPS)' 'the programs' \
+	    $(RECOGNISED)
+
 define link_rule
 $(BUILD)/$1: $(call objects,$1) $(BUILD)/glad/gl.o
 	@echo link $$@
@@ -123,7 +136,7 @@ $(BUILD)/obj/%.c.o: $(ROOT)/%.c $(BUILD)/glad/include/glad/gl.h
 	@$(CC) -std=c11 $(CFLAGS) $(WARNINGS) $(INCLUDES) -MMD -MP \
 	    -DSHADER_ROOT='"$(abspath $(ROOT))"' -c -o $@ $<
 
-$(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | $(SETUP)
+$(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | set-up
 	@mkdir -p $(@D)
 	@echo compile $*.cpp
 	@$(CXX) -std=c++17 $(CXXFLAGS) $(WARNINGS) $(INCLUDES) \
@@ -131,7 +144,7 @@ $(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | $(SETUP)
 
 # The GL loader, written by glad from the specification it carries (2>&1: it
 # reports every step on stderr; a failure still prints and fails).
-$(BUILD)/glad/include/glad/gl.h: | $(SETUP)
+$(BUILD)/glad/include/glad/gl.h: | set-up
 	@mkdir -p $(BUILD)
 	@echo glad: $(BUILD)/glad
 	@glad --quiet --reproducible --api gl:core=4.3 --out-path $(BUILD)/glad c \
