@@ -1,7 +1,11 @@
 #include "step1_shadowmap/base/context.h"
 
-// glad before osmesa.h: both define the GL types.
+// glad before osmesa.h: both define the GL types. Mesa 25's osmesa.h says
+// APIENTRY, which Mesa's own GL/gl.h would define.
 #include <glad/gl.h>
+#ifndef APIENTRY
+#define APIENTRY GLAD_API_PTR
+#endif
 
 #include <GL/osmesa.h>
 #define GLFW_INCLUDE_NONE // no GL header of its own
