@@ -4,7 +4,7 @@
 # set-up.
 set -eu
 export LC_ALL=C # wc says "total"
-set -- -I. -Ibuild/glad/include '-DSHADER_ROOT=""' -fsyntax-only -Werror \
+set -- -I. -Ibuild/glad/include -fsyntax-only -Werror \
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 packages=$(pkg-config --cflags-only-I osmesa cglm glfw3 |
     sed 's/-I/-isystem /g')

@@ -216,6 +216,19 @@ my %mutants = (
         'step5', 'step3_moments/moments.c',
         '(Sampling){GL_NEAREST', '(Sampling){GL_LINEAR'
     ],
+    'a copy without shaders takes those of the tree around it' => [
+        'robustness/moved', 'step1_shadowmap/base/tree.c',
+        '"%s/step1_shadowmap"', '"%s/step1_shadowmap/shaders"'
+    ],
+    'a link to no shader is not there' => [
+        'robustness/moved', 'step1_shadowmap/base/gl_program.c',
+        'lstat(path, &status) == 0', 'stat(path, &status) == 0'
+    ],
+    "an error in the tree's file, which was not read" => [
+        'robustness/bad_input', 'step1_shadowmap/base/gl_program.c',
+        'find_shader(where, files[numbered',
+        'find_shader((ShaderFiles){0}, files[numbered'
+    ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',
         '-width * channels', 'width * channels'
@@ -910,8 +923,7 @@ sub copy_to {
     return;
 }
 
-# What the programs are made from and what has been made of it. Programs keep
-# their shaders' folder.
+# What the programs are made from and what has been made of it.
 my @SOURCES = (
     'Makefile', 'tests/tests.mk', glob('step*'), glob('build/obj/step*'),
     'build/glad'

@@ -66,6 +66,7 @@ base := \
     step1_shadowmap/base/image_encode.h step1_shadowmap/base/image_png.c \
     step1_shadowmap/base/image_exr.cpp \
     step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
+    step1_shadowmap/base/tree.h step1_shadowmap/base/tree.c \
     step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
     step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh
@@ -93,6 +94,7 @@ CFLAGS ?= -O2 -g
 CXXFLAGS ?= -O2 -g
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 PACKAGES := osmesa glfw3 cglm libpng OpenEXR
+# In the tree: the programs look for their shaders from there upwards.
 BUILD := $(ROOT)/build
 # BUILD stands in targets and in recipes without quotes.
 special := $(foreach character,' " ` \ $$ \# % & | ; : < > ( ) [ ] * ? ~,\
@@ -133,8 +135,7 @@ $(foreach p,$(PROGRAMS),$(eval $(call link_rule,$p)))
 $(BUILD)/obj/%.c.o: $(ROOT)/%.c $(BUILD)/glad/include/glad/gl.h
 	@mkdir -p $(@D)
 	@echo compile $*.c
-	@$(CC) -std=c11 $(CFLAGS) $(WARNINGS) $(INCLUDES) -MMD -MP \
-	    -DSHADER_ROOT='"$(abspath $(ROOT))"' -c -o $@ $<
+	@$(CC) -std=c11 $(CFLAGS) $(WARNINGS) $(INCLUDES) -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | set-up
 	@mkdir -p $(@D)

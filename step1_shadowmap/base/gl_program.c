@@ -1,18 +1,23 @@
 // The programs of gl.h: read, compiled, linked, and read again.
+#define _POSIX_C_SOURCE 200809L // lstat
+
 #include "step1_shadowmap/base/gl.h"
 
-#include <stdio.h>  // fopen, snprintf, sscanf
-#include <stdlib.h> // free
-#include <string.h> // strchr, strcspn, strstr
+#include <errno.h>
+#include <stdio.h>    // fopen, snprintf, sscanf
+#include <stdlib.h>   // free
+#include <string.h>   // strchr, strcspn, strstr
+#include <sys/stat.h> // lstat
 
-#include "step1_shadowmap/base/die.h" // allocate, complain, die
+#include "step1_shadowmap/base/die.h"  // allocate, complain, die
+#include "step1_shadowmap/base/tree.h" // tree_find
 
 enum {
     LINES_PER_FILE = 10000,
     FILE_BYTES = 1 << 14, // of the longest shader file, with the final 0
-    PATH_BYTES = 4096,
+    PATH_BYTES = 2 * FILE_NAME_BYTES,
     LOG_BYTES = 4096,
-    MESSAGE_BYTES = 2 * 4096 + 64
+    MESSAGE_BYTES = PATH_BYTES + LOG_BYTES + 64
 };
 
 // What is left of the file as a string; NULL if it cannot be read.
@@ -30,40 +35,65 @@ static char *read_all(FILE *file)
     return text;
 }
 
+static bool is_there(const char *path)
+{
+    struct stat status;
+    return lstat(path, &status) == 0; // a link to nothing is there
+}
+
+// The file that is read for this name: that of --shaders, or the tree's. False
+// where there is no tree.
+static bool find_shader(ShaderFiles where, const char *name,
+                        char path[PATH_BYTES])
+{
+    char tree[FILE_NAME_BYTES];
+    if (where.directory != NULL) {
+        snprintf(path, PATH_BYTES, "%s/%s", where.directory, name);
+        if (is_there(path)) {
+            return true;
+        }
+    }
+    bool found = tree_find(tree);
+    snprintf(path, PATH_BYTES, "%s/%s", tree, name);
+    return found;
+}
+
 // The text of a shader file, or NULL and what is wrong with it.
 static char *read_shader(ShaderFiles where, const char *name, char *message)
 {
     char path[PATH_BYTES];
-    FILE *file = NULL;
-    if (where.directory != NULL) {
-        snprintf(path, sizeof path, "%s/%s", where.directory, name);
-        file = fopen(path, "rb");
+    if (!find_shader(where, name, path)) {
+        snprintf(message, MESSAGE_BYTES,
+                 "no shaders: this program is in no folder below one that "
+                 "holds %s; put it back, or say --shaders DIR",
+                 name);
+        return NULL;
     }
-    if (file == NULL) {
-        snprintf(path, sizeof path, "%s/%s", SHADER_ROOT, name);
-        file = fopen(path, "rb");
-    }
-    if (file == NULL) {
+    FILE *file = fopen(path, "rb");
+    if (file == NULL && errno == ENOENT) {
         snprintf(message, MESSAGE_BYTES, "missing shader file %s", path);
         return NULL;
     }
-    char *text = read_all(file);
-    fclose(file);
+    char *text = file == NULL ? NULL : read_all(file);
     if (text == NULL) {
         snprintf(message, MESSAGE_BYTES,
                  "cannot read %s (or it is over %d bytes)", path,
                  FILE_BYTES - 1);
+    }
+    if (file != NULL) {
+        fclose(file);
     }
     return text;
 }
 
 // Drivers put the number of the source string and the line in front, as in
 // "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). The
-// message is the first line that says "error", with the file's name and its own
-// line.
-static void explain_log(const char *log, const char *const files[],
-                        char *message)
+// message is the first line that says "error", with the name of the file that
+// was read and its own line.
+static void explain_log(const char *log, ShaderFiles where,
+                        const char *const files[], char *message)
 {
+    char path[PATH_BYTES];
     const char *line = log;
     while (strstr(line, "error") != NULL && strchr(line, '\n') != NULL &&
            strstr(line, "error") > strchr(line, '\n')) {
@@ -76,19 +106,20 @@ static void explain_log(const char *log, const char *const files[],
     }
     int number = 0;
     int skipped = 0;
-    if (sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) != 1 ||
-        number / LINES_PER_FILE > file) {
-        snprintf(message, MESSAGE_BYTES, "shader %s: %.*s", files[file], length,
-                 line);
-        return;
+    bool numbered =
+        sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) == 1 &&
+        number / LINES_PER_FILE <= file;
+    find_shader(where, files[numbered ? number / LINES_PER_FILE : file], path);
+    if (numbered) {
+        snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s", path,
+                 number % LINES_PER_FILE, length - skipped, line + skipped);
+    } else {
+        snprintf(message, MESSAGE_BYTES, "shader %s: %.*s", path, length, line);
     }
-    snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s",
-             files[number / LINES_PER_FILE], number % LINES_PER_FILE,
-             length - skipped, line + skipped);
 }
 
 // The shader, or 0 and the message.
-static GLuint compile_texts(GLenum type, const char *constants,
+static GLuint compile_texts(GLenum type, ShaderFiles where,
                             const char *const files[], int count,
                             char *const texts[], char *message)
 {
@@ -99,7 +130,7 @@ static GLuint compile_texts(GLenum type, const char *constants,
     const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {
         type == GL_COMPUTE_SHADER ? "#version 430 core\n"
                                   : "#version 330 core\n",
-        constants == NULL ? "" : constants};
+        where.constants == NULL ? "" : where.constants};
     for (int i = 0; i < count; i++) {
         snprintf(before[i], sizeof before[i], "\n#line %d\n",
                  i * LINES_PER_FILE + 1);
@@ -114,7 +145,7 @@ static GLuint compile_texts(GLenum type, const char *constants,
     if (!compiled) {
         char log[LOG_BYTES] = "";
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        explain_log(log, files, message);
+        explain_log(log, where, files, message);
         glDeleteShader(shader);
         return 0;
     }
@@ -133,8 +164,7 @@ static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
         complete = texts[count++] != NULL;
     }
     if (complete) {
-        shader =
-            compile_texts(type, where.constants, files, count, texts, message);
+        shader = compile_texts(type, where, files, count, texts, message);
     }
     for (int i = 0; i < count; i++) {
         free(texts[i]);
@@ -144,7 +174,7 @@ static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
 
 // The linked program, or 0 and the message, which blames the last shader's
 // files.
-static GLuint link_shaders(int count, const GLuint shaders[],
+static GLuint link_shaders(ShaderFiles where, int count, const GLuint shaders[],
                            const char *const files[], char *message)
 {
     GLuint id = glCreateProgram();
@@ -160,7 +190,7 @@ static GLuint link_shaders(int count, const GLuint shaders[],
     if (!linked) {
         char log[LOG_BYTES] = "";
         glGetProgramInfoLog(id, sizeof log, NULL, log);
-        explain_log(log, files, message);
+        explain_log(log, where, files, message);
         glDeleteProgram(id);
         return 0;
     }
@@ -173,7 +203,8 @@ static GLuint build_compute(const Program *program, char *message)
     GLuint shader =
         compile(program->where, GL_COMPUTE_SHADER, program->compute, message);
     if (shader != 0) {
-        id = link_shaders(1, &shader, program->compute, message);
+        id =
+            link_shaders(program->where, 1, &shader, program->compute, message);
     }
     glDeleteShader(shader);
     return id;
@@ -197,7 +228,8 @@ static GLuint build_drawing(const Program *program, char *message)
         compiled = shaders[i] != 0;
     }
     if (compiled) {
-        id = link_shaders(count, shaders, program->fragment, message);
+        id = link_shaders(program->where, count, shaders, program->fragment,
+                          message);
     }
     for (int i = 0; i < count; i++) {
         glDeleteShader(shaders[i]); // the name 0 is ignored

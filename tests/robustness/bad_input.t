@@ -141,7 +141,7 @@ for my $fault ( sort keys %faults ) {
     for (@shaders) {
         my ( $step, $shader ) = @$_;
         my $line = change_shader( $shader, sub { $_ .= "$faults{$fault}\n" } );
-        stops { draw_with_mine($step) } 1, [qr/\Q$shader\E\D{1,2}$line\b/],
+        stops { draw_with_mine($step) } 1, [qr{mine/\Q$shader\E\D{1,2}$line\b}],
           "step $step: $fault in the last line of $shader";
     }
 }

@@ -104,14 +104,12 @@ for my $step ( 1 .. 5 ) {
     my $copy   = "$folder/build/" . program_name($step);
     check_copy( $step, $folder );
 
-    # The GL loader and the ground floor are the same for all, but for where
-    # the shaders are: made once.
+    # The GL loader and the ground floor are the same for all: made once.
     if ( $step > 1 ) {
         my $floor = 'build/obj/step1_shadowmap/base';
         make_path("$folder/$floor");
         command( '/bin/cp', '-r', "$work/mine1/build/glad", "$folder/build" );
         command( '/bin/cp', '-r', "$work/mine1/$floor/.", "$folder/$floor" );
-        unlink "$folder/$floor/gl_program.c.o" or die "no gl_program.c.o\n";
     }
     check_build( $step, $folder );
     check_picture( $step, $copy );
