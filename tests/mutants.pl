@@ -229,6 +229,10 @@ my %mutants = (
         'find_shader(where, files[numbered',
         'find_shader((ShaderFiles){0}, files[numbered'
     ],
+    'a driver that crashes without a word' => [
+        'robustness/bad_input', 'step1_shadowmap/base/crash.c',
+        'steered || steers(*variable)', 'steered && steers(*variable)'
+    ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',
         '-width * channels', 'width * channels'

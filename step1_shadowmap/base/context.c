@@ -17,8 +17,9 @@
 #include <malloc.h> // mallopt
 #endif
 
-#include "step1_shadowmap/base/die.h" // die, allocate
-#include "step1_shadowmap/base/gl.h"  // gl_load
+#include "step1_shadowmap/base/crash.h" // crash_explain
+#include "step1_shadowmap/base/die.h"   // die, allocate
+#include "step1_shadowmap/base/gl.h"    // gl_load
 
 // We draw into framebuffer objects only, so the default framebuffer that
 // OSMesa binds is as small as it may be.
@@ -149,6 +150,7 @@ static void keep_memory(void)
 Context context_create(bool window, const int size[2])
 {
     keep_memory();
+    crash_explain();
     return window ? create_window(size) : create_offscreen();
 }
 

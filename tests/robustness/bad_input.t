@@ -185,6 +185,26 @@ remove_tree('mine');
     remove_tree('mine');
 }
 
+# A driver that OSMesa has not crashes at the start; one that is led to do what
+# it cannot, later, or it offers no context.
+for (
+    [ GALLIUM_DRIVER             => 'd3d12' ],
+    [ GALLIUM_DRIVER             => 'no such' ],
+    [ MESA_GLSL_VERSION_OVERRIDE => '120' ],
+  )
+{
+    my ( $name, $value ) = @$_;
+    local $ENV{$name} = $value;
+    stops { run( 5, @small, qw(--output a.png) ) } 1,
+      [qr/unset.* $name\b|OpenGL 3\.3/], "$name=$value: one line";
+}
+{
+    local $ENV{GALLIUM_DRIVER} = 'softpipe';
+    my $run = run( 1, @small, qw(--output a.png) );
+    is( $run->{status} . $run->{err}, '0', 'another driver that OSMesa has' );
+    unlink 'a.png';
+}
+
 # --- too large --------------------------------------------------------------
 
 # At most 8 GB, so that a driver that allows this size fails as well.
