@@ -233,6 +233,11 @@ my %mutants = (
         'robustness/bad_input', 'step1_shadowmap/base/crash.c',
         'steered || steers(*variable)', 'steered && steers(*variable)'
     ],
+    'what is printed is lost' => [
+        'robustness/printed', 'step1_shadowmap/base/printed.c',
+        'fflush(stdout) != 0 || ferror(stdout)',
+        'fflush(stdout) != 0 && feof(stdout)'
+    ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',
         '-width * channels', 'width * channels'

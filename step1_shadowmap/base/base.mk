@@ -67,6 +67,7 @@ base := \
     step1_shadowmap/base/image_exr.cpp \
     step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
     step1_shadowmap/base/tree.h step1_shadowmap/base/tree.c \
+    step1_shadowmap/base/printed.h step1_shadowmap/base/printed.c \
     step1_shadowmap/base/crash.h step1_shadowmap/base/crash.c \
     step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
     step1_shadowmap/base/die.h step1_shadowmap/base/die.c \

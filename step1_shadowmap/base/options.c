@@ -7,7 +7,8 @@
 #include <stdlib.h> // strtod, strtol
 #include <string.h> // strcmp, strncmp
 
-#include "step1_shadowmap/base/die.h" // die, die_usage
+#include "step1_shadowmap/base/die.h"     // die, die_usage
+#include "step1_shadowmap/base/printed.h" // printed_check, printed_prepare
 
 static void *value_of(const OptionTable *table, const Option *option)
 {
@@ -252,6 +253,7 @@ static void help_if_asked(int argc, char **argv, const OptionTable tables[])
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
             print_help(argv[0], tables);
+            printed_check();
             exit(0);
         }
     }
@@ -265,6 +267,7 @@ OptionTable options_table(const Option *options, void *settings)
 void options_parse(int argc, char **argv, OptionTable tables[])
 {
     KnownOptions known = {0};
+    printed_prepare();
     join_tables(tables, &known);
     // Before any value is read: the help shows the defaults.
     help_if_asked(argc, argv, tables);

@@ -3,7 +3,8 @@
 #include <stdarg.h> // va_start
 #include <stdio.h>  // printf, snprintf, vsnprintf
 
-#include "step1_shadowmap/base/die.h" // die
+#include "step1_shadowmap/base/die.h"     // die
+#include "step1_shadowmap/base/printed.h" // printed_check
 
 void plan_add(Plan *plan, const char *pass, int layer, bool kept, size_t texels,
               size_t texel_bytes, const char *why, ...)
@@ -42,4 +43,5 @@ void plan_print(const Plan *plan, bool asked)
         bytes += row->bytes;
     }
     printf("%-22s %-9s %13zu %13zu\n", "all", "", texels, bytes);
+    printed_check();
 }

@@ -7,6 +7,7 @@
 #include "step1_shadowmap/base/die.h"  // die_usage
 #include "step1_shadowmap/base/file.h" // file_is_directory, file_make_directory
 #include "step1_shadowmap/base/image.h"     // image_name_is_known
+#include "step1_shadowmap/base/printed.h"   // printed_check
 #include "step1_shadowmap/base/scene.h"     // scene_create, scene_list
 #include "step1_shadowmap/base/stopwatch.h" // STOPWATCH_MAX_FRAMES
 
@@ -205,6 +206,7 @@ void base_settings_check(const BaseSettings *settings)
 {
     if (settings->list_scenes) {
         scene_list(stdout);
+        printed_check();
         exit(0);
     }
     check_shadows(settings);

@@ -8,7 +8,8 @@
 #include <string.h>  // memcpy
 #include <time.h>    // clock_gettime
 
-#include "step1_shadowmap/base/die.h" // allocate, die
+#include "step1_shadowmap/base/die.h"     // allocate, die
+#include "step1_shadowmap/base/printed.h" // printed_check
 
 static double now(void)
 {
@@ -120,4 +121,5 @@ void stopwatch_print(const Stopwatch *stopwatch, int bench)
     }
     print_line("total", total, count, &touched);
     free(total);
+    printed_check();
 }

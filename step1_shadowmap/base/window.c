@@ -4,7 +4,8 @@
 #include <stdarg.h> // va_start
 #include <stdio.h>  // printf, snprintf, vsnprintf
 
-#include "step1_shadowmap/base/dvec.h" // dvec_cross, dvec_dot, ...
+#include "step1_shadowmap/base/dvec.h"    // dvec_cross, dvec_dot, ...
+#include "step1_shadowmap/base/printed.h" // printed_check
 
 static const double PI = 3.14159265358979323846;
 
@@ -77,10 +78,10 @@ static void print_keys(void)
     puts("left drag, arrow keys   orbit\n"
          "wheel, + -              zoom\n"
          "r                       reload the shaders\n"
-         "s                       save the picture to --output\n"
+         "s                       save the picture\n"
          "h                       print this\n"
          "escape                  close");
-    fflush(stdout);
+    printed_check();
 }
 
 // Does what was typed; returns how many notches to zoom.

@@ -1,0 +1,65 @@
+# stdout is a place to write to like any other: what does not get there is an
+# error, and what is printed is true.
+use strict;
+use warnings;
+
+use File::Temp qw(tempdir);
+use Test::More;
+use VSM;
+
+chdir tempdir( CLEANUP => 1 ) or die "cannot work in a temporary folder\n";
+
+my @small = qw(--size 16x9);
+
+# A command through sh, which redirects: sh -c '"$@" >...' sh WORDS.
+sub redirected {
+    my ( $where, @words ) = @_;
+    return command( '/bin/sh', '-c', "\"\$@\" $where", 'sh', @words );
+}
+
+
+for my $step ( 1, 5 ) {
+    for my $words ( ['--help'], ['--list-scenes'], ['--plan'],
+        [qw(--bench 1 --redraw)] )
+    {
+        stops {
+            my $run = redirected( '>/dev/full', program($step), @small, @$words );
+            unlink 'a.png';
+            return $run;
+        }
+        1, [qr/cannot write to stdout: No space/], "step $step, @$words, full";
+    }
+}
+for my $words ( ['--help'], ['--plan'] ) {
+    stops {
+        my $run = redirected( '>&-', program(1), @small, @$words );
+        unlink 'a.png';
+        return $run;
+    }
+    1, [qr/cannot write to stdout: Bad file/], "@$words, closed";
+
+    # The pipe's one reader has gone before the program starts.
+    stops {
+        my $run = command(
+            '/bin/sh', '-c',
+            '{ sleep 0.2; "$@"; echo $? >status; } | :',
+            'sh', program(1), @small, @$words
+        );
+        $run->{status} = slurp('status') + 0;
+        unlink 'a.png', 'status';
+        return $run;
+    }
+    1, [qr/cannot write to stdout: Broken pipe/], "@$words, nobody reads";
+}
+
+# Else the first file that is opened would be stdout, and hold what is printed.
+my $run  = run( 1, @small, qw(--output right.png) );
+my @none = ( '<&- >&-', '<&- 2>&-', '<&- >&- 2>&-' );
+for my $closed (@none) {
+    $run = redirected( $closed, program(1), @small, qw(--output a.png) );
+    ok( slurp('a.png') eq slurp('right.png'), "$closed: the picture is whole" );
+    unlink 'a.png';
+}
+
+
+done_testing;
