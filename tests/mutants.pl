@@ -238,6 +238,10 @@ my %mutants = (
         'fflush(stdout) != 0 || ferror(stdout)',
         'fflush(stdout) != 0 && feof(stdout)'
     ],
+    'times of a map that is kept, without a word' => [
+        'robustness/printed', 'step1_shadowmap/base/stopwatch.c',
+        'touched[0].texels == 0', 'touched[0].texels == 1'
+    ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',
         '-width * channels', 'width * channels'

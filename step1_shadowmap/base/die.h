@@ -17,8 +17,8 @@ void die(const char *format, ...)
 void die_usage(const char *format, ...)
     __attribute__((noreturn, format(printf, 1, 2)));
 
-// Prints "program: message" on stderr and goes on: in a window, where an error
-// in a shader is one that the user is about to mend.
+// Prints "program: message" on stderr and goes on: about an error in a shader,
+// in a window where the user is about to mend it, and about times that mislead.
 void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // count * size bytes, all zero; free() them. Dies when there is no memory.

@@ -8,7 +8,7 @@
 #include <string.h>  // memcpy
 #include <time.h>    // clock_gettime
 
-#include "step1_shadowmap/base/die.h"     // allocate, die
+#include "step1_shadowmap/base/die.h"     // allocate, complain, die
 #include "step1_shadowmap/base/printed.h" // printed_check
 
 static double now(void)
@@ -122,4 +122,8 @@ void stopwatch_print(const Stopwatch *stopwatch, int bench)
     print_line("total", total, count, &touched);
     free(total);
     printed_check();
+    if (stopwatch->passes > 1 && stopwatch->touched[0].texels == 0) {
+        complain("nothing changed after the first frame, so the map was kept: "
+                 "its passes drew nothing; --redraw times them");
+    }
 }

@@ -52,8 +52,8 @@ double stopwatch_total(const Stopwatch *stopwatch);
 // name, median, first and third quartile over the frames after the warm-up
 // (milliseconds), number of these frames, the clock, texels and bytes touched
 // by the last frame, and each frame's time, so that several runs can be
-// pooled. Nothing where no frame was to be timed
-// (--bench 0).
+// pooled. A line on stderr says so where the first pass, which draws the map,
+// had nothing to draw. Nothing where no frame was to be timed (--bench 0).
 void stopwatch_print(const Stopwatch *stopwatch, int bench);
 
 #endif

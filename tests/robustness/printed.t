@@ -61,5 +61,15 @@ for my $closed (@none) {
     unlink 'a.png';
 }
 
+# Times of a map that is kept are not those of drawing one.
+$run = run( 5, @small, qw(--bench 1) );
+like( $run->{err}, qr/\A[^\n]*map was kept[^\n]*--redraw[^\n]*\n\z/,
+    '--bench says in one line that the map was kept' );
+for my $words ( ['--redraw'], ['--keep-all'], [qw(--move teapot)],
+    [qw(--shadows off)] )
+{
+    $run = run( 5, @small, qw(--bench 1), @$words );
+    is( $run->{err}, '', "--bench 1 @$words: no word of it" );
+}
 
 done_testing;
