@@ -31,7 +31,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("step1_shadowmap", NULL);
+    base_settings(&state.base, "step1_shadowmap", NULL);
     state.bias = bias_settings();
     state.options[0] = options_table(base_options, &state.base);
     state.options[1] = options_table(bias_options, &state.bias);
@@ -95,7 +95,7 @@ static void write_files(void)
         shadow_map_dump(&state.map, &state.geometry, &state.plan,
                         state.base.dump);
     }
-    scene_draw_write(&state.picture, state.base.output);
+    scene_draw_write(&state.picture, &state.base);
     stopwatch_print(&state.stopwatch, state.base.bench);
 }
 
@@ -132,7 +132,7 @@ int main(int argc, char **argv)
     for (int i = 0; base_next_frame(&state.base, &state.scene, i); i++) {
         draw_frame();
     }
-    base_make_directories(&state.base, state.options);
+    base_prepare_files(&state.base, state.options);
     if (state.base.window) {
         run_window();
     } else {

@@ -31,7 +31,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("step3_moments", moments_shows);
+    base_settings(&state.base, "step3_moments", moments_shows);
     state.bias = bias_settings();
     state.moments = moments_settings();
     state.options[0] = options_table(base_options, &state.base);
@@ -98,7 +98,7 @@ static void write_files(void)
                         state.map.bytes});
         moments_dump(&state.map, &state.geometry, &state.plan, state.base.dump);
     }
-    scene_draw_write(&state.picture, state.base.output);
+    scene_draw_write(&state.picture, &state.base);
     stopwatch_print(&state.stopwatch, state.base.bench);
 }
 
@@ -134,7 +134,7 @@ int main(int argc, char **argv)
     for (int i = 0; base_next_frame(&state.base, &state.scene, i); i++) {
         draw_frame();
     }
-    base_make_directories(&state.base, state.options);
+    base_prepare_files(&state.base, state.options);
     if (state.base.window) {
         run_window();
     } else {

@@ -33,7 +33,7 @@ static struct {
 
 static void read_settings(int argc, char **argv)
 {
-    state.base = base_settings("step5_chebyshev", moments_shows);
+    base_settings(&state.base, "step5_chebyshev", moments_shows);
     state.shading = shading_settings();
     state.options[0] = options_table(base_options, &state.base);
     state.options[1] = options_table(moments_options, &state.shading.moments);
@@ -98,7 +98,7 @@ static void write_files(void)
                      state.base.dump);
         blur_dump(&state.filter, &state.map, &state.plan, state.base.dump);
     }
-    scene_draw_write(&state.picture, state.base.output);
+    scene_draw_write(&state.picture, &state.base);
     stopwatch_print(&state.stopwatch, state.base.bench);
 }
 
@@ -139,7 +139,7 @@ int main(int argc, char **argv)
     for (int i = 0; base_next_frame(&state.base, &state.scene, i); i++) {
         draw_frame();
     }
-    base_make_directories(&state.base, state.options);
+    base_prepare_files(&state.base, state.options);
     if (state.base.window) {
         run_window();
     } else {

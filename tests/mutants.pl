@@ -242,6 +242,10 @@ my %mutants = (
         'robustness/printed', 'step1_shadowmap/base/stopwatch.c',
         'touched[0].texels == 0', 'touched[0].texels == 1'
     ],
+    'a picture that nobody asked for' => [
+        'robustness/written',          'step1_shadowmap/base/settings.c',
+        'other && !settings->window', 'other && settings->window'
+    ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',
         '-width * channels', 'width * channels'

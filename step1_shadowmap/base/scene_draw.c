@@ -241,11 +241,19 @@ bool scene_draw_reload(SceneDraw *draw)
     return gl_program_reload(&draw->program) && legend_reload(&draw->legend);
 }
 
-void scene_draw_write(const SceneDraw *draw, const char *path)
+void scene_draw_write(const SceneDraw *draw, const BaseSettings *settings)
 {
-    float *pixels = gl_read(draw->framebuffer, 0, draw->width, draw->height, 3);
-    image_write(path, pixels, draw->width, draw->height, 3);
-    free(pixels);
+    const char *path = settings->output;
+    if (path != NULL) {
+        float *pixels =
+            gl_read(draw->framebuffer, 0, draw->width, draw->height, 3);
+        image_write(path, pixels, draw->width, draw->height, 3);
+        free(pixels);
+        base_say_written(settings, path, "");
+    }
+    if (settings->dump != NULL) {
+        base_say_written(settings, settings->dump, "/");
+    }
 }
 
 void scene_draw_dump(const SceneDraw *draw, const char *directory)

@@ -67,7 +67,9 @@ void scene_draw_end(const SceneDraw *draw);
 // Compiles the shaders again; see gl_program_reload.
 bool scene_draw_reload(SceneDraw *draw);
 
-void scene_draw_write(const SceneDraw *draw, const char *path);
+// Writes the picture to --output, if there is one, and says that it and the
+// files of --dump are written: it comes last.
+void scene_draw_write(const SceneDraw *draw, const BaseSettings *settings);
 
 // Writes receiver, position, normal, visibility and image (.exr) into the
 // directory, footprint where the list has scene_draw_footprint, and handover

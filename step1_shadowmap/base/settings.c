@@ -60,7 +60,9 @@ const Option base_options[] = {
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, output),
      .argument = "FILE",
-     .help = "the picture: .png (8-bit sRGB) or .exr (linear float)"},
+     .help =
+         "the picture: .png (8-bit sRGB) or .exr (linear float); with --plan, "
+         "--bench or --dump none unless this names one"},
     {.name = "show",
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, show),
@@ -159,23 +161,23 @@ const ShowMode *base_show_mode(const BaseSettings *settings)
     return mode;
 }
 
-BaseSettings base_settings(const char *program, const ShowMode *more_shows)
+void base_settings(BaseSettings *settings, const char *program,
+                   const ShowMode *more_shows)
 {
-    static const char *const outputs[] = {"out/step1.png", "out/step2.png",
-                                          "out/step3.png", "out/step4.png",
-                                          "out/step5.png"};
-    return (BaseSettings){.program = program,
-                          .more_shows = more_shows,
-                          .scene = "teapot",
-                          .size = {1280, 720},
-                          .map_size = {512, 512},
-                          .output = outputs[program[4] - '1'],
-                          .show = "shaded",
-                          .shadows = "on",
-                          .splits = 1,
-                          .depth_shader =
-                              "step1_shadowmap/shaders/linear_depth.glsl",
-                          .context = "osmesa"};
+    *settings = (BaseSettings){.program = program,
+                               .more_shows = more_shows,
+                               .scene = "teapot",
+                               .size = {1280, 720},
+                               .map_size = {512, 512},
+                               .output = settings->default_output,
+                               .show = "shaded",
+                               .shadows = "on",
+                               .splits = 1,
+                               .depth_shader =
+                                   "step1_shadowmap/shaders/linear_depth.glsl",
+                               .context = "osmesa"};
+    snprintf(settings->default_output, sizeof settings->default_output,
+             "out/%s.png", program);
 }
 
 static void check_window(const BaseSettings *settings)
@@ -275,19 +277,38 @@ void base_create_scene(const BaseSettings *settings, Scene *scene)
     }
 }
 
-void base_make_directories(const BaseSettings *settings,
-                           const OptionTable tables[])
+// Of the default output, which is in one.
+static void make_output_directory(const char *output)
 {
+    char directory[FILE_NAME_BYTES];
+    snprintf(directory, sizeof directory, "%.*s",
+             (int)(strrchr(output, '/') - output), output);
+    file_make_directory(directory);
+}
+
+void base_prepare_files(BaseSettings *settings, const OptionTable tables[])
+{
+    bool other =
+        settings->dump != NULL || settings->bench > 0 || settings->plan;
     if (settings->dump != NULL) {
         file_make_directory(settings->dump);
     }
-    if (!options_given(tables, "output")) {
-        char directory[FILE_NAME_BYTES];
-        const char *slash = strrchr(settings->output, '/');
-        snprintf(directory, sizeof directory, "%.*s",
-                 (int)(slash - settings->output), settings->output);
-        file_make_directory(directory);
+    if (options_given(tables, "output")) {
+        return;
     }
+    if (other && !settings->window) {
+        settings->output = NULL;
+    } else {
+        make_output_directory(settings->output);
+    }
+}
+
+void base_say_written(const BaseSettings *settings, const char *path,
+                      const char *ending)
+{
+    FILE *where = settings->bench > 0 || settings->plan ? stderr : stdout;
+    fprintf(where, "wrote %s%s\n", path, ending);
+    printed_check();
 }
 
 bool base_shadows(const BaseSettings *settings)

@@ -16,9 +16,10 @@ typedef struct BaseSettings {
     const char *scene;
     const char *light; // a kind, or NULL: the scene's own
     bool list_scenes;
-    int size[2];     // of the picture, pixels
-    int map_size[2]; // of the shadow map, texels
-    const char *output;
+    int size[2];             // of the picture, pixels
+    int map_size[2];         // of the shadow map, texels
+    const char *output;      // file, or NULL
+    char default_output[32]; // that file if no option says otherwise
     const char *show;
     const ShowMode *more_shows; // what the step adds to the choices, or NULL
     const char *dump;           // directory, or NULL
@@ -38,11 +39,12 @@ typedef struct BaseSettings {
 
 extern const Option base_options[];
 
-// The defaults of a program (stepN_what), which writes out/stepN.png if no
+// The defaults of a program (stepN_what), which writes out/stepN_what.png if no
 // option says otherwise.
 // `more_shows` are choices of --show besides the five that every step has; the
 // list ends with a NULL name.
-BaseSettings base_settings(const char *program, const ShowMode *more_shows);
+void base_settings(BaseSettings *settings, const char *program,
+                   const ShowMode *more_shows);
 
 // The choice that --show names; refuses (status 2) any other name.
 const ShowMode *base_show_mode(const BaseSettings *settings);
@@ -57,9 +59,15 @@ void base_settings_check(const BaseSettings *settings);
 void base_create_scene(const BaseSettings *settings, Scene *scene);
 
 // Makes the directories of the default output and of --dump, once everything
-// that could be wrong with the options has been looked at.
-void base_make_directories(const BaseSettings *settings,
-                           const OptionTable tables[]);
+// that could be wrong with the options has been looked at. --plan, --bench and
+// --dump ask for something else than a picture: then there is an output only
+// where --output names it, else it is NULL from here on.
+void base_prepare_files(BaseSettings *settings, const OptionTable tables[]);
+
+// Says that this file was written, or directory (`ending` "/"): on stdout, or
+// on stderr where stdout is for what --bench and --plan print.
+void base_say_written(const BaseSettings *settings, const char *path,
+                      const char *ending);
 
 // Whether there are shadows: without, no map is made.
 bool base_shadows(const BaseSettings *settings);

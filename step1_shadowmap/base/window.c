@@ -161,9 +161,7 @@ void window_show(const Window *window, const SceneDraw *picture,
     present(window, picture->outputs[0]);
     context_show(window->context, title);
     if (window->save) {
-        scene_draw_write(picture, window->settings->output);
-        printf("wrote %s\n", window->settings->output);
-        fflush(stdout);
+        scene_draw_write(picture, window->settings);
     }
 }
 

@@ -8,8 +8,8 @@ build=$1
 program=$2
 dump=out/figures/$program
 mkdir -p "$dump"
-"$build/$program" --size 640x360 --output "$program/figure.png"
-"$build/$program" --size 640x360 --dump "$dump" --output "$dump/picture.png"
+"$build/$program" --size 640x360 --output "$program/figure.png" >"$dump/log"
+"$build/$program" --size 640x360 --dump "$dump" >"$dump/log"
 "$build/oracle" errors "$dump" "write=$dump" >"$dump/errors.csv"
 rmse=$(awk -F, '$1 == "footprint" { printf "%.4f", $5 }' "$dump/errors.csv")
 gnuplot -e "input='$dump/error.footprint.bin'; width=640; height=360;
@@ -21,7 +21,7 @@ echo "$program/figure.png $program/error.png"
 panel() {
     name=$1
     shift
-    "$build/$drawn" --size 640x360 --output "$dump/$name.png" "$@"
+    "$build/$drawn" --size 640x360 --output "$dump/$name.png" "$@" >"$dump/log"
 }
 
 # join FILE NAME...: the panels side by side, two in a row, at half their size.

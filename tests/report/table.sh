@@ -22,11 +22,10 @@ echo
 for program in "$build"/step[1-5]_*; do
     dump=out/table/${program##*/}
     mkdir -p "$dump"
-    "$program" --size "$size" --bench $frames --redraw \
-        --output "$dump/picture.png" >"$dump/times.csv"
+    "$program" --size "$size" --bench $frames --redraw >"$dump/times.csv"
     : >"$dump/errors.csv"
     [ -z "$wrong" ] || {
-        "$program" --size "$size" --dump "$dump" --output "$dump/picture.png"
+        "$program" --size "$size" --dump "$dump" >"$dump/log"
         "$build/oracle" errors "$dump" >"$dump/errors.csv"
     }
     awk -F, -v step="${program##*/}" '

@@ -20,7 +20,7 @@ sub redirected {
 
 for my $step ( 1, 5 ) {
     for my $words ( ['--help'], ['--list-scenes'], ['--plan'],
-        [qw(--bench 1 --redraw)] )
+        [qw(--bench 1 --redraw)], [qw(--output a.png)] )
     {
         stops {
             my $run = redirected( '>/dev/full', program($step), @small, @$words );
@@ -30,7 +30,7 @@ for my $step ( 1, 5 ) {
         1, [qr/cannot write to stdout: No space/], "step $step, @$words, full";
     }
 }
-for my $words ( ['--help'], ['--plan'] ) {
+for my $words ( ['--help'], ['--plan'], [qw(--output a.png)] ) {
     stops {
         my $run = redirected( '>&-', program(1), @small, @$words );
         unlink 'a.png';
