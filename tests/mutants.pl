@@ -246,6 +246,22 @@ my %mutants = (
         'robustness/written',          'step1_shadowmap/base/settings.c',
         'other && !settings->window', 'other && settings->window'
     ],
+    'a file in the place of a link' => [
+        'robustness/written', 'step1_shadowmap/base/file.c',
+        'replace(target, &old', 'replace(path, &old'
+    ],
+    'permissions that are lost' => [
+        'robustness/written', 'step1_shadowmap/base/file.c',
+        'old->st_mode & 07777', '0600'
+    ],
+    'a name that leaves no room for a longer one' => [
+        'robustness/written', 'step1_shadowmap/base/file.c',
+        'errno == ENAMETOOLONG', 'errno == ENOSYS'
+    ],
+    'a file of the part that another program left' => [
+        'robustness/killed',     'step1_shadowmap/base/file.c',
+        'ftruncate(file, 0) != 0', 'lseek(file, 0, SEEK_END) < 0'
+    ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',
         '-width * channels', 'width * channels'
