@@ -238,6 +238,10 @@ my %mutants = (
         'fflush(stdout) != 0 || ferror(stdout)',
         'fflush(stdout) != 0 && feof(stdout)'
     ],
+    'a display in the place of stdout' => [
+        'robustness/window', 'step1_shadowmap/base/printed.c',
+        'F_GETFD) == -1', 'F_GETFD) == -2'
+    ],
     'times of a map that is kept, without a word' => [
         'robustness/printed', 'step1_shadowmap/base/stopwatch.c',
         'touched[0].texels == 0', 'touched[0].texels == 1'
@@ -261,6 +265,18 @@ my %mutants = (
     'a file of the part that another program left' => [
         'robustness/killed',     'step1_shadowmap/base/file.c',
         'ftruncate(file, 0) != 0', 'lseek(file, 0, SEEK_END) < 0'
+    ],
+    'a picture that is stretched' => [
+        'robustness/window', 'step1_shadowmap/base/window.c',
+        'fmin((double)inside', 'fmax((double)inside'
+    ],
+    'keys of small letters only' => [
+        'robustness/window', 'step1_shadowmap/base/context.c',
+        '(char)tolower(letter)', '(char)letter'
+    ],
+    'keys of Latin letters only' => [
+        'robustness/window', 'step1_shadowmap/base/context.c',
+        '(unsigned char)*name >= 128', '(unsigned char)*name > 255'
     ],
     'a PNG upside down' => [
         'files', 'step1_shadowmap/base/image_png.c',

@@ -10,6 +10,7 @@
 #include <GL/osmesa.h>
 #define GLFW_INCLUDE_NONE // no GL header of its own
 #include <GLFW/glfw3.h>
+#include <ctype.h>  // tolower
 #include <stddef.h> // NULL
 #include <stdlib.h> // free
 #include <string.h> // strlen
@@ -64,27 +65,45 @@ static const char *glfw_reason(void)
     return reason == NULL ? "no reason given" : reason;
 }
 
+static void type(Input *input, int letter)
+{
+    size_t length = strlen(input->typed);
+    if (length + 1 < INPUT_MAX_TYPED) {
+        input->typed[length] = (char)tolower(letter); // shift, caps lock
+    }
+}
+
+// Whether a key types no Latin letter: on a Cyrillic or Greek keyboard.
+static bool is_foreign(int key, int scancode)
+{
+    const char *name = glfwGetKeyName(key, scancode);
+    return name != NULL && (unsigned char)*name >= 128;
+}
+
+// A foreign letter's key counts for what an American keyboard has in its place.
 static void on_key(GLFWwindow *window, int key, int scancode, int action,
                    int modifiers)
 {
-    (void)scancode, (void)modifiers;
+    const int command = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
     Input *input = glfwGetWindowUserPointer(window);
     if (action == GLFW_RELEASE) {
         return;
+    }
+    if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z && !(modifiers & command) &&
+        is_foreign(key, scancode)) {
+        type(input, key);
     }
     input->close = input->close || key == GLFW_KEY_ESCAPE;
     input->arrows[0] += (key == GLFW_KEY_RIGHT) - (key == GLFW_KEY_LEFT);
     input->arrows[1] += (key == GLFW_KEY_DOWN) - (key == GLFW_KEY_UP);
 }
 
-// Letters come as characters, not as keys: those are named after their place
-// on an American keyboard.
+// Latin letters come as characters, not as keys: those are named after their
+// place on an American keyboard.
 static void on_character(GLFWwindow *window, unsigned int character)
 {
-    Input *input = glfwGetWindowUserPointer(window);
-    size_t length = strlen(input->typed);
-    if (character < 128 && length + 1 < INPUT_MAX_TYPED) {
-        input->typed[length] = (char)character;
+    if (character < 128) {
+        type(glfwGetWindowUserPointer(window), (int)character);
     }
 }
 
@@ -110,6 +129,12 @@ static void on_exposed(GLFWwindow *window)
 {
     Input *input = glfwGetWindowUserPointer(window);
     input->exposed = true;
+}
+
+static void on_resized(GLFWwindow *window, int width, int height)
+{
+    (void)width, (void)height;
+    on_exposed(window);
 }
 
 static Context create_window(const int size[2])
@@ -164,6 +189,7 @@ static void listen(GLFWwindow *window, Input *input)
     glfwSetCursorPosCallback(window, on_cursor);
     glfwSetScrollCallback(window, on_wheel);
     glfwSetWindowRefreshCallback(window, on_exposed);
+    glfwSetFramebufferSizeCallback(window, on_resized);
 }
 
 void context_wait(const Context *context, Input *input)

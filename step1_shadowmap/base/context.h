@@ -21,11 +21,12 @@ enum { INPUT_MAX_TYPED = 16 };
 // What the user did to the window.
 typedef struct Input {
     bool close;     // escape, or the window's own button
-    bool exposed;   // what the window shows was lost
+    bool exposed;   // what the window shows was lost, or its size has changed
     double drag[2]; // with the left button: to the right and down, pixels
     double wheel;   // notches away from the user
     int arrows[2];  // arrow keys: to the right and down
-    char typed[INPUT_MAX_TYPED]; // other keys, ASCII, 0 after the last
+    char typed[INPUT_MAX_TYPED]; // other keys, ASCII, small letters; 0 at the
+                                 // end
     double cursor[2]; // where the pointer is, from the window's top left
 } Input;
 

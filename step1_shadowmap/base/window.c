@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/window.h"
 
-#include <math.h>   // atan2, cos, fmax, fmin, pow, sin, sqrt
+#include <math.h>   // atan2, cos, fmax, fmin, lround, pow, sin, sqrt
 #include <stdarg.h> // va_start
 #include <stdio.h>  // printf, snprintf, vsnprintf
 
@@ -23,6 +23,8 @@ Window window_create(const Context *context, const BaseSettings *settings,
     va_start(arguments, subject);
     vsnprintf(window.subject, sizeof window.subject, subject, arguments);
     va_end(arguments);
+    puts("h prints what the keys do in the window");
+    printed_check();
     return window;
 }
 
@@ -133,16 +135,35 @@ bool window_next(Window *window, Camera *camera)
     return !window->input.close;
 }
 
+// As large as it fits, in the middle: a window manager may give the window
+// another shape than the picture's.
+static void fit(const Window *window, int corner[2], int size[2])
+{
+    int inside[2];
+    const int *picture = window->settings->size;
+    context_framebuffer_size(window->context, inside);
+    double zoom =
+        fmin((double)inside[0] / picture[0], (double)inside[1] / picture[1]);
+    for (int i = 0; i < 2; i++) {
+        size[i] = (int)lround(zoom * picture[i]);
+        corner[i] = (inside[i] - size[i]) / 2;
+    }
+}
+
 static void present(const Window *window, GLuint picture)
 {
-    int size[2];
+    int corner[2], size[2];
     GLuint program = window->present.id;
-    context_framebuffer_size(window->context, size);
+    fit(window, corner, size);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, size[0], size[1]);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glViewport(corner[0], corner[1], size[0], size[1]);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(program);
-    glUniform2f(glGetUniformLocation(program, "window_size"), (float)size[0],
+    glUniform2f(glGetUniformLocation(program, "corner"), (float)corner[0],
+                (float)corner[1]);
+    glUniform2f(glGetUniformLocation(program, "size"), (float)size[0],
                 (float)size[1]);
     glUniform1i(glGetUniformLocation(program, "picture"), 0);
     glActiveTexture(GL_TEXTURE0);

@@ -1,7 +1,8 @@
 // The picture as a window shows it: sRGB, as a PNG file has it.
 
 uniform sampler2D picture;  // linear RGB, bottom row first
-uniform vec2 window_size;   // pixels of the screen
+uniform vec2 corner;        // its place in the window, pixels
+uniform vec2 size;          // and its size there, pixels
 
 layout(location = 0) out vec4 window_color;
 
@@ -13,7 +14,7 @@ float srgb(float linear)
 
 void main()
 {
-    vec3 color = texture(picture, gl_FragCoord.xy / window_size).rgb;
+    vec3 color = texture(picture, (gl_FragCoord.xy - corner) / size).rgb;
     color = clamp(color, 0.0, 1.0);
     window_color = vec4(srgb(color.r), srgb(color.g), srgb(color.b), 1.0);
 }

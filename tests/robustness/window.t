@@ -112,7 +112,7 @@ sub title {
 sub screenshot {
     my ( $window, $file ) = @_;
     $file //= 'now.ppm';
-    command( qw(import -window), $window->{id}, "ppm:$file" );
+    command( qw(import -depth 8 -window), $window->{id}, "ppm:$file" );
     return -e $file ? slurp($file) : '';
 }
 
@@ -170,11 +170,63 @@ sub check_step {
     return ( $window, $first );
 }
 
+# Presses a key after `before`; it has to print the keys, once.
+sub helps {
+    my ( $name, $key, @before ) = @_;
+    my $length = length slurp('stdout');
+    command(@before) if @before;
+    press($key);
+    ok( soon { length slurp('stdout') > $length }, "h prints the keys, $name" );
+    sleep 0.05;
+    my $keys = substr slurp('stdout'), $length;
+    like( $keys, qr/\A(?!.*escape.*escape).*arrow.*\br .*\bs .*\bh .*escape/s,
+        "all of them once, $name" );
+    return;
+}
+
+# Where the letters are elsewhere, or are others. 43 is the key of an American
+# h, whose letter a French keyboard has in the same place; Dvorak's is at 44.
+sub check_letters {
+    helps( 'alone',          'h' );
+    helps( 'with shift',     'shift+h' );
+    helps( 'with caps lock', 'h', qw(xdotool key Caps_Lock) );
+    press('Caps_Lock');
+    helps( "on a keyboard of $_->[0]", $_->[1], 'setxkbmap', $_->[0] )
+      for [ru => 43], [gr => 43], [il => 43], [fr => 43], ['us(dvorak)', 44];
+    command(qw(setxkbmap us));
+    return;
+}
+
+# What the window shows when it has another shape: the picture as it is in the
+# middle, or smaller, and nothing beside it.
+sub check_shape {
+    my ( $window, $first ) = @_;
+    for ( [ '320x240', '+0+30' ], [ '480x180', '+80+0' ] ) {
+        my ( $size, $corner ) = @$_;
+        command( qw(xdotool windowsize --sync), $window->{id}, split /x/, $size );
+        my $inside = sub {
+            screenshot( $window, 'large.ppm' );
+            command( qw(convert large.ppm -crop), "320x180$corner", '+repage',
+                'ppm:inside.ppm' );
+            return -e 'inside.ppm' && slurp('inside.ppm') eq $first;
+        };
+        ok( soon { $inside->() }, "$size: the picture is in the middle" );
+        command( qw(convert large.ppm -fill black -draw),
+            'rectangle ' . ( $size =~ /^320/ ? '0,30 319,209' : '80,0 399,179' ),
+            'ppm:beside.ppm' );
+        unlike( slurp('beside.ppm'), qr/\AP6\s\d+\s\d+\s\d+\s.*[^\0]/s,
+            "$size: and nothing beside it" );
+    }
+    command( qw(xdotool windowsize --sync), $window->{id}, 160, 180 );
+    ok( soon { screenshot($window) =~ /\AP6\s160 180\s255\s\0{21600}[^\0]/ },
+        '160x180: half as large, with nothing above it' );
+    command( qw(xdotool windowsize --sync), $window->{id}, 320, 180 );
+    ok( picture($window) eq $first, 'and as it was' );
+    return;
+}
+
 sub check_keys {
     my ( $window, $first ) = @_;
-    press('h');
-    ok( soon { slurp('stdout') =~ /arrow.*\br\b.*\bs\b.*\bh\b.*escape/s },
-        'h prints the keys' );
     press('s');
     ok( soon { -e 'saved.png' }, 's saves the picture' )
       and oracle( 'compare', 'offscreen.png', 'saved.png', @CLOSE );
@@ -234,6 +286,13 @@ for ( [qw(--dump dump)], [qw(--bench 2)] ) {
 }
 
 start_display();
+
+# The connection to the display would take stdout's place.
+stops {
+    command( '/bin/sh', '-c', 'exec "$@" >&-', 'sh', program(1),
+        qw(--window --output a.png) )
+}
+1, [qr/cannot write to stdout: Bad file/], 'a window without a stdout';
 for my $step ( 1 .. 5 ) {
     my ( $window, $first ) = check_step($step);
     if ( $step == 5 ) {
@@ -244,7 +303,12 @@ for my $step ( 1 .. 5 ) {
 }
 run( 5, qw(--size 320x180 --output offscreen.png) );
 my $window = open_window( 5, qw(--size 320x180 --output saved.png) );
-check_keys( $window, picture( $window, 'first.ppm' ) );
+is( slurp('stdout'), "h prints what the keys do in the window\n",
+    'h is named at the start' );
+check_letters();
+my $first = picture( $window, 'first.ppm' );
+check_shape( $window, $first );
+check_keys( $window, $first );
 check_mouse($window);
 press('Escape');
 is( closed($window), 0, 'escape closes the window' );
