@@ -37,6 +37,7 @@ my $START   = getcwd();    # nobody's own
 # machine that does ten other things.
 our $SECONDS =
   ( $0 =~ /\.t\z/ ? 300 : 60 ) * ( $ENV{VSM_SLOW} ? 10 : 1 );
+our $running;    # process that command() waits for
 
 my %dumps;    # folder by step and arguments
 
@@ -71,6 +72,7 @@ sub command {
         POSIX::_exit(127);    # not exit: the END blocks are the parent's
     }
     # A signal's handler breaks off the wait.
+    local $running = $child;
     1 while waitpid( $child, 0 ) < 0 && $!{EINTR};
     return {
         status => $? >> 8,
