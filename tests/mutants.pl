@@ -866,19 +866,43 @@ my %mutants = (
     ],
     'what does not end is right' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
-        'return @lines ? reverse @lines : $run', 'return reverse @lines'
+        'my $signal = $run->{signal};', 'my $signal = 0;'
     ],
     'the last known mistake is everybody\'s' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '|| $away > $least', ''
+    ],
+    'a shader with memory without end' => [
+        'robustness/grade', 'tests/exercise/Marks.pm',
+        ' --as=1000000000', ''
+    ],
+    'a shader that outlives its marking' => [
+        'robustness/grade', 'tests/exercise/Marks.pm',
+        'setpriv --pdeathsig KILL ', ''
+    ],
+    'marks with escape sequences' => [
+        'robustness/grade', 'tests/exercise/Submission.pm',
+        '\p{C}', ''
+    ],
+    'a link on the way is followed' => [
+        'robustness/grade', 'tests/exercise/Submission.pm',
+        'enter( $_,   O_NOFOLLOW )', 'enter( $_, 0 )'
+    ],
+    'what is no plain file is read' => [
+        'robustness/grade', 'tests/exercise/Submission.pm',
+        '    -f _ or die', '    -e _ or die'
+    ],
+    'a picture of the marks before' => [
+        'robustness/grade', 'tests/exercise/Submission.pm',
+        'sub { unlink $name }', 'sub { 1 }'
     ],
     'an exercise with its solution' => [
         'robustness/exercise', 'tests/exercise/Tasks.pm',
         '$text =~ s', '( my $empty = $text ) =~ s'
     ],
     'what was changed besides the functions' => [
-        'robustness/exercise', 'tests/exercise/grade.pl',
-        '&& compare(@pictures) == 0', ''
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        '&& $largest <= $VISIBLE', ''
     ],
     'a test that removes what it did not make' => [
         'robustness/own_folders', 'tests/lib/VSM.pm',

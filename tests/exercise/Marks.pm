@@ -4,37 +4,80 @@ package Marks;
 use strict;
 use warnings;
 
+use Config        qw(%Config);
 use Exporter      qw(import);
 use File::Compare qw(compare);
+use File::Path    qw(make_path);
 use File::Temp    qw(tempdir);
+use Submission    qw(printable);
 use Tasks;
 use VSM;
 
-our @EXPORT = qw(mark);
+our @EXPORT = qw(mark mark_whole);
 
 our @SIZE = qw(--size 320x180 --map-size 256);
+
+# What a run may use, besides VSM::SECONDS: 1 GB of memory, but for a sanitizer,
+# which reserves all there is, and 64 MiB for each file. It ends with this
+# process.
+my @LIMITS = (
+    qw(/usr/bin/env setpriv --pdeathsig KILL prlimit --fsize=67108864),
+    $ENV{VSM_SLOW} ? '--core=0' : qw(--core=0 --as=1000000000)
+);
 
 # Another way to compute the same: 16 roundings of 32-bit floats in [0, 1]. The
 # oracle allows only what the formula as it stands here can lose.
 my $ROUNDING = 2**-20;
 
-my $work = tempdir( CLEANUP => 1 );
-my %folders;    # with shaders, by what stands in them
+# A difference that an 8-bit picture shows.
+my $VISIBLE = 1 / 255;
 
-# The dump of the right program, and of one that is right but for this text in
-# the place of a task's file.
-sub right_dump {
-    my ( $step, $task ) = @_;
-    return dump_run( $step, @SIZE, @{ $task->{options} } );
+my $work = tempdir( CLEANUP => 1 );
+my %runs;    # by step, options and shaders
+
+# A run of the right program with these texts in the place of its shaders:
+# {folder} with its dump, {said} if it did not come to its end.
+sub drawn {
+    my ( $step, $options, %texts ) = @_;
+    my $key = join "\0", $step, @$options,
+      map { ( $_, $texts{$_} ) } sort keys %texts;
+    return $runs{$key} if $runs{$key};
+    my $folder = "$work/" . keys %runs;
+    make_path( "$folder/shaders", "$folder/dump" );
+    spew( "$folder/shaders/$_", $texts{$_} ) for keys %texts;
+    my $run = command(
+        @LIMITS, program($step), @SIZE, @$options,
+        '--shaders', "$folder/shaders",
+        '--dump',    "$folder/dump",
+        '--output',  "$folder/dump/picture.exr"
+    );
+    my @said = said( $run, "$folder/shaders/" );
+    return $runs{$key} = { folder => "$folder/dump", said => \@said };
 }
 
-sub dump_with {
-    my ( $step, $task, $text ) = @_;
-    my $file   = task_file( $step, $task );
-    my $folder = $folders{"$file\n$text"} //= "$work/" . keys %folders;
-    spew( "$folder/$file", $text );
-    return dump_run( $step, @SIZE, @{ $task->{options} },
-        '--shaders', $folder );
+# In words: why a run failed.
+sub said {
+    my ( $run, $folder ) = @_;
+    my $signal = $run->{signal};
+    return "It took longer than $VSM::SECONDS s: does a loop never end?"
+      if $signal == 14;
+    return 'It was stopped by signal '
+      . "$signal (" . ( split ' ', $Config{sig_name} )[$signal] . '): '
+      . 'does it need more than 1 GB, or nest too deeply?'
+      if $signal;
+    return if !$run->{status};
+    my @lines = grep { /\S/ } split /\n/, $run->{err} =~ s/\Q$folder\E//gr;
+    splice @lines, 5;
+    return @lines ? map { printable($_) } @lines : "exit status $run->{status}";
+}
+
+# The dump of the program with nothing in the place of its shaders.
+sub right_dump {
+    my ( $step, $options ) = @_;
+    my $run = drawn( $step, $options );
+    die "the right program does not draw: @{ $run->{said} }\n"
+      if @{ $run->{said} };
+    return $run->{folder};
 }
 
 # The lines in which the oracle objects.
@@ -45,20 +88,27 @@ sub objections {
         my ( $check, $about ) = @$_;
         my @lines = grep { /^(?:PASS|FAIL) $about/ } split /\n/,
           ask_oracle( $check, $dump )->{out};
-        @lines or die "$check says nothing about $task->{function}\n";
-        push @objections, map { /^FAIL (.*)/ ? $1 : () } @lines;
+        push @objections,
+          @lines
+          ? map { /^FAIL (.*)/ ? $1 : () } @lines
+          : "$check: there is nothing to check";
     }
     return @objections;
 }
 
-# Between what two dumps show of a task: the largest difference and the RMSE.
-# Nothing where there are values that are no numbers.
+# Between two pictures: the largest difference and the RMSE. Nothing where there
+# are values that are no numbers.
 sub difference {
-    my ( $task, @dumps ) = @_;
-    my @files = map { "$_/$task->{shows}[0].exr" } @dumps;
+    my @files = @_;
     return ( 0, 0 ) if compare(@files) == 0;
     my $out = ask_oracle( 'compare', @files )->{out};
     return $out =~ /largest (\S+) .*RMSE (\S+),/;
+}
+
+# The same between what two dumps show of a task.
+sub difference_shown {
+    my ( $task, @dumps ) = @_;
+    return difference( map { "$_/$task->{shows}[0].exr" } @dumps );
 }
 
 # What somebody was thinking who gets this: of the known mistakes, and of
@@ -75,8 +125,10 @@ sub reason {
     my ( $least, $words ) =
       ( 0.1 * $wrong, 'It is none of the mistakes that are known here.' );
     for my $mistake (@known) {
-        my $other = dump_with( $step, $task, $mistake->[1] );
-        my ( undef, $away ) = difference( $task, $dump, $other );
+        my $other = drawn( $step, $task->{options},
+            task_file( $step, $task ) => $mistake->[1] );
+        my ( undef, $away ) =
+          difference_shown( $task, $dump, $other->{folder} );
         next if !defined $away || $away > $least;
         ( $least, $words ) = ( $away, $mistake->[0] );
         last if $away == 0;
@@ -84,10 +136,10 @@ sub reason {
     return $words;
 }
 
-# Yours, the right one, and the difference, which is `largest` somewhere. Returns
-# a line that says so.
-sub show {
-    my ( $task, $picture, $largest, @dumps ) = @_;
+# Yours, the right one, and the difference, which is `largest` somewhere, as the
+# bytes of a PNG, and a line that says so; nothing if it cannot be made.
+sub shown {
+    my ( $task, $largest, @dumps ) = @_;
     my ( $file, $channel ) = @{ $task->{shows} };
     my ( $mine, $right ) = map { "$_/$file.exr" } @dumps;
     my @one   = ( '--ch', $channel );
@@ -96,38 +148,47 @@ sub show {
     my $run   = command(
         qw(/usr/bin/env oiiotool), $mine, @grey, $right, @grey,
         $mine, @one, $right, @one, '--sub',
-        '--mulc', 0.5 / ( $largest // 1 ),
+        '--mulc', 0.5 / ( $largest || 1 ),
         qw(--addc 0.5 --colormap), $scale,
-        qw(--mosaic:pad=4 3x1 -d uint8 -o), $picture
+        qw(--mosaic:pad=4 3x1 -d uint8 -o), "$work/shown.png"
     );
-    return if $run->{status} || !-e $picture;
-    return "$picture: yours, the right one, and where yours is larger (red) "
+    return if $run->{status} || !-e "$work/shown.png";
+    return slurp("$work/shown.png"),
+      'yours, the right one, and where yours is larger (red) '
       . 'or smaller (blue)'
       . ( defined $largest ? ", by up to $largest" : '' );
 }
 
 # Of a task whose file holds this text: what is wrong with it, line by line;
-# nothing if it is right. The picture is written if it is wrong.
+# nothing if it is right. Where something wrong was drawn, the code gets the
+# picture's bytes and the words for it, and returns a line.
 sub mark {
-    my ( $step, $task, $text, $picture ) = @_;
-    my $file = task_file( $step, $task );
-    my $dump = eval { dump_with( $step, $task, $text ) };
-    if ( !$dump ) {    # it does not compile, or does not come to an end
-        my $said = $@ =~ s{\Q$work\E/\d+/}{}gr;
-        my ( $run, @lines ) = reverse split /\n/, $said;
-        return @lines ? reverse @lines : $run;
-    }
-    my @objections = objections( $task, $dump ) or return;
-    my $right = right_dump( $step, $task );
-    my ( $largest, $rmse ) = difference( $task, $dump, $right );
+    my ( $step, $task, $text, $keep ) = @_;
+    return 'It holds a byte 0: it is no text.' if $text =~ /\0/;
+    my $right = right_dump( $step, $task->{options} );
+    my $run =
+      drawn( $step, $task->{options}, task_file( $step, $task ) => $text );
+    return @{ $run->{said} } if @{ $run->{said} };
+    my $dump       = $run->{folder};
+    my @objections = objections( $task, $dump );
+    return if !@objections;
+    my ( $largest, $rmse ) = difference_shown( $task, $dump, $right );
     return if defined $largest && $largest <= $ROUNDING;
-    return (
-        reason( $step, $task, $dump, $rmse ),
-        $objections[0],
-        defined $picture
-        ? show( $task, $picture, $largest, $dump, $right )
-        : ()
-    );
+    my @wrong = ( reason( $step, $task, $dump, $rmse ), $objections[0] );
+    my @picture = $keep ? shown( $task, $largest, $dump, $right ) : ();
+    return ( @wrong, @picture ? $keep->(@picture) : () );
+}
+
+# Of a program with these texts in the place of its shaders, as a whole.
+sub mark_whole {
+    my ( $step, %texts ) = @_;
+    my $right = right_dump( $step, [] );
+    my $run   = drawn( $step, [], %texts );
+    return @{ $run->{said} } if @{ $run->{said} };
+    my ($largest) =
+      difference( map { "$_/picture.exr" } $run->{folder}, $right );
+    return if defined $largest && $largest <= $VISIBLE;
+    return 'It draws something else, though all functions are right.';
 }
 
 1;

@@ -6,6 +6,7 @@ use warnings;
 
 use FindBin;
 use lib $FindBin::Bin, "$FindBin::Bin/../lib";
+use Submission qw(printable shell_word);
 use Tasks;
 use VSM;
 
@@ -18,7 +19,8 @@ if ( !tasks( $step // '' ) || ( $folder // '' ) eq '' ) {
     exit 2;
 }
 if ( -e $folder && ( !-d $folder || ( () = everything_below($folder) ) ) ) {
-    print STDERR "$folder is there already, and may be somebody's work\n";
+    print STDERR printable($folder),
+      " is there already, and may be somebody's work\n";
     exit 2;
 }
 my $run = command( '/usr/bin/env', 'make', '-s', '-C', root(),
@@ -30,8 +32,10 @@ if ( $run->{status} ) {
 for my $task ( tasks($step) ) {
     my $file = task_file( $step, $task );
     spew( "$folder/$file", emptied( $step, $task ) );
-    print "to be written: $task->{function}\n    in $folder/$file\n";
+    print "to be written: $task->{function}\n    in ",
+      printable("$folder/$file"), "\n";
 }
-print "make -C $folder\n",
-  "$folder/build/", program_name($step), " --output mine.png\n",
-  "make grade STEP=$step DIR=$folder\n";
+my $shown = shell_word($folder);
+print "make -C $shown\n",
+  shell_word( "$folder/build/" . program_name($step) ), " --output mine.png\n",
+  "make grade STEP=$step DIR=$shown\n";
