@@ -872,6 +872,10 @@ my %mutants = (
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '|| $away > $least', ''
     ],
+    'marks for pixels that are not drawn' => [
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        '|| $largest > $ELSEWHERE', ''
+    ],
     'a shader with memory without end' => [
         'robustness/grade', 'tests/exercise/Marks.pm',
         ' --as=1000000000', ''

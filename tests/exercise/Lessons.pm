@@ -16,15 +16,20 @@ our @EXPORT_OK = qw(%LESSONS);
 #   checks    what the oracle is asked about that run, and how those of its
 #             lines begin that are about this function
 #   shows     [file of the dump, channel]: where a difference is looked for
+#   same      files of the dump that are as in the right program: what is drawn
+#             before this function's result, and maps, in which every texel is
+#             known
 #   mistakes  [what went wrong, then pairs: what stands in the right file, what
 #             stands there in one that is wrong in this way]
 my @VISIBILITY = (
     checks => [ [ 'stage', qr/stage visibility/ ] ],
-    shows  => [ 'visibility', 0 ]
+    shows  => [ 'visibility', 0 ],
+    same => qr/^(?:depth|moments|blurred|position|normal|receiver)\b.*exr$/
 );
 my @BLUR = (
     checks => [ [ 'stage', qr/stage blur/ ] ],
-    shows  => [ 'blurred.0', 0 ]
+    shows  => [ 'blurred.0', 0 ],
+    same   => qr/^(?:moments|blurred|position|normal)\b.*exr$/
 );
 our %LESSONS = (
     1 => [
@@ -41,6 +46,7 @@ our %LESSONS = (
             options  => [qw(--scene stage)],
             checks   => [ [ 'matrix', qr/receiver/ ] ],
             shows    => [ 'receiver', 0 ],
+            same     => qr/^(?:depth|position|normal)\b.*exr$/,
             mistakes => [
                 [
                     'Nothing is divided by w. That is right for a parallel '
@@ -167,6 +173,7 @@ our %LESSONS = (
             options  => [],
             checks   => [ [ 'stage', qr/stage moments/ ], [ 'rays', qr/map depths/ ] ],
             shows    => [ 'moments.0', 1 ],
+            same     => qr/^(?:moments|position|normal)\b.*exr$/,
             mistakes => [
                 [
                     'The second moment is x, not x^2. E[x^2] - E[x]^2 is then '

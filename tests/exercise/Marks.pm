@@ -9,6 +9,7 @@ use Exporter      qw(import);
 use File::Compare qw(compare);
 use File::Path    qw(make_path);
 use File::Temp    qw(tempdir);
+use List::Util    qw(first);
 use Submission    qw(printable);
 use Tasks;
 use VSM;
@@ -28,6 +29,10 @@ my @LIMITS = (
 # Another way to compute the same: 16 roundings of 32-bit floats in [0, 1]. The
 # oracle allows only what the formula as it stands here can lose.
 my $ROUNDING = 2**-20;
+
+# What was not computed by the student's function can be rounded otherwise too,
+# where the compiler arranges the shader in another way.
+my $ELSEWHERE = 2**-16;
 
 # A difference that an 8-bit picture shows.
 my $VISIBLE = 1 / 255;
@@ -111,6 +116,17 @@ sub difference_shown {
     return difference( map { "$_/$task->{shows}[0].exr" } @dumps );
 }
 
+# The first file in which the dumps may not differ and do: what is drawn covers
+# other pixels, or hides other surfaces.
+sub moved {
+    my ( $task, $dump, $right ) = @_;
+    return first {
+        my ($largest) = difference( "$dump/$_", "$right/$_" );
+        !defined $largest || $largest > $ELSEWHERE
+    }
+    grep { /$task->{same}/ } everything_below($right);
+}
+
 # What somebody was thinking who gets this: of the known mistakes, and of
 # nothing having been written, the one that gives nearly the same. The RMSE from
 # what is right is `wrong`.
@@ -171,10 +187,20 @@ sub mark {
     return @{ $run->{said} } if @{ $run->{said} };
     my $dump       = $run->{folder};
     my @objections = objections( $task, $dump );
-    return if !@objections;
     my ( $largest, $rmse ) = difference_shown( $task, $dump, $right );
-    return if defined $largest && $largest <= $ROUNDING;
-    my @wrong = ( reason( $step, $task, $dump, $rmse ), $objections[0] );
+    my @wrong;
+    if ( !@objections || defined $largest && $largest <= $ROUNDING ) {
+        my $moved = moved( $task, $dump, $right ) // return;
+        @wrong = (
+            'It does not draw the same pixels as the right one: it leaves '
+              . 'some out (discard), or changes what hides them '
+              . '(gl_FragDepth).',
+            "other values than in the right program: $moved"
+        );
+    }
+    else {
+        @wrong = ( reason( $step, $task, $dump, $rmse ), $objections[0] );
+    }
     my @picture = $keep ? shown( $task, $largest, $dump, $right ) : ();
     return ( @wrong, @picture ? $keep->(@picture) : () );
 }

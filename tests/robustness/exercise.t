@@ -22,6 +22,15 @@ sub script {
     return command( $^X, root() . "/tests/exercise/$name.pl", @words );
 }
 
+# The right text with a statement in front.
+sub begun_with {
+    my ( $step, $task, $statement ) = @_;
+    my $text    = slurp( root() . '/' . task_file( $step, $task ) );
+    my $heading = join '\s+', map { quotemeta } split ' ', $task->{function};
+    $text =~ s/^($heading\n\{)/$1 $statement/m or die "no $heading\n";
+    return $text;
+}
+
 for my $step ( 1 .. 5 ) {
     for my $task ( tasks($step) ) {
         my $what  = "step $step, $task->{file}";
@@ -36,6 +45,8 @@ for my $step ( 1 .. 5 ) {
             ($reason) = mark( $step, $task, $text );
             is( $reason, $words, "$what: $words" );
         }
+        @wrong = mark( $step, $task, begun_with( $step, $task, 'discard;' ) );
+        isnt( "@wrong", '', "$what, which draws nothing" );
     }
 }
 
@@ -51,6 +62,16 @@ is( join( "\n", chebyshev_mark(<<'END') ), '', 'another way to say it' );
     return 1.0 - s * s / (variance + s * s);
 END
 
+# As right where something is drawn; but other pixels, or other surfaces, are.
+for my $statement (
+    'if (int(gl_FragCoord.x) % 2 == 0) { discard; }',
+    'gl_FragDepth = 1.0 - gl_FragCoord.z;'
+  )
+{
+    my ($said) =
+      mark( 5, $chebyshev, begun_with( 5, $chebyshev, $statement ) );
+    like( $said, qr/same pixels.*discard/, "chebyshev() with $statement" );
+}
 like( ( chebyshev_mark('return 0.5;') )[0],
     qr/none of the mistakes/, 'unknown' );
 my ($hard) = grep { $_->{file} eq 'hard.glsl' } tasks(1);
