@@ -24,7 +24,7 @@ our @EXPORT_OK = qw(%LESSONS);
 my @VISIBILITY = (
     checks => [ [ 'stage', qr/stage visibility/ ] ],
     shows  => [ 'visibility', 0 ],
-    same => qr/^(?:depth|moments|blurred|position|normal|receiver)\b.*exr$/
+    same   => qr/^(?:depth|moments|blurred|position|normal|receiver)\b.*exr$/
 );
 my @BLUR = (
     checks => [ [ 'stage', qr/stage blur/ ] ],

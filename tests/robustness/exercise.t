@@ -110,6 +110,9 @@ for my $file (@files) {
 }
 stops { script( 'exercise', 1, $mine ) } 2, [qr/\Q$mine\E is there already/],
   'nobody\'s work is written over';
+spew( "$work/two\nlines/file", 'work' );
+stops { script( 'exercise', 1, "$work/two\nlines" ) } 2, [qr/two\?lines is/],
+  'nor under an odd name';
 stops { script( 'exercise', 6, "$work/six" ) } 2, [qr/STEP=5/], 'no step 6';
 stops { script( 'grade', 1, "$work/none" ) } 2, [qr/there is no .*exercise/],
   'nothing to mark';

@@ -85,7 +85,7 @@ sub start {
 sub graded {
     my ( $name, $step, $endless ) = @_;
     my $before = state_of( "$work/class", $name );
-    my $limit  = ( $endless + 10 ) * $seconds;
+    my $limit  = ( $endless + 20 ) * $seconds;
     my $start  = time;
     my $child  = start( $name, $step );
     my $most   = 0;
