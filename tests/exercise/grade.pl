@@ -108,7 +108,8 @@ refuse('say which and where: make grade STEP=5 DIR=mine')
 refuse("there is no folder $folder: make exercise STEP=$step DIR=$folder "
       . 'makes it' )
   if !-d $folder;
-$folder = File::Spec->rel2abs($folder);
+$folder = File::Spec->rel2abs($folder);    # without a / at its end
+refuse("$folder is a link: name the folder that it leads to") if -l $folder;
 forget_picture( $folder, $_->{file} =~ s/\..*/.png/r ) for tasks($step);
 my ( $shaders, @others ) = changes();
 my $right = 0;

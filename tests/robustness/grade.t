@@ -208,24 +208,32 @@ for my $name (@names) {
       or diag( slurp("$work/$name.err") );
 }
 ok( !-e "$work/class/y", 'and nothing is executed' );
-my $run = command( @GRADE, 5, "none\e[2J\nright  all" );
+symlink 'picture', "$work/class/elsewhere";
+my $run = command( @GRADE, 5, "$work/class/elsewhere/" );
+like( $run->{err}, qr/\A.*elsewhere is a link.*\n\z/, 'a link is no folder' );
+is( $run->{status}, 2, 'and is refused' );
+$run = command( @GRADE, 5, "none\e[2J\nright  all" );
 is( $run->{status}, 2, 'no folder: exit status' );
 like( $run->{err}, qr/\Athere is no folder [ -~]+\n\z/, 'in one plain line' );
 
 # Shaders that do not end, ask for too much, or say too much.
+# (A sanitizer runs without a limit of memory: nothing large is asked for.)
+my ( $depth, $bits ) = $ENV{VSM_SLOW} ? ( 3, 10 ) : ( 15, 28 );
 my $macros = "#define A0 p_max + p_max + p_max + p_max\n" . join '', map {
     my $before = 'A' . ( $_ - 1 );
     "#define A$_ $before + $before + $before + $before\n"
-} 1 .. 15;
+} 1 .. $depth;
 submission( 'endless', 5,
     $CHEBYSHEV => body( $CHEBYSHEV, <<'END' ),
     float p = t;
-    for (int i = 0; i < 1000000000; i++) {
-        p = sin(p + mean);
+    for (int i = 0; i < 60000; i++) {
+        for (int j = 0; j < 60000; j++) {
+            p = sin(p + mean);
+        }
     }
     return p;
 END
-    $REDUCTION  => $macros . body( $REDUCTION, 'return A15;' ),
+    $REDUCTION  => $macros . body( $REDUCTION, "return A$depth;" ),
     $VISIBILITY => body( $VISIBILITY,
         'return ' . '(' x 7000 . '1.0' . ')' x 7000 . ';' )
 );
@@ -236,12 +244,12 @@ like( $said, qr/^wrong  .*$REDUCTION\n/m,  'is very long' );
 like( $said, qr/^wrong  .*$VISIBILITY\n/m, 'nests deeply' );
 
 submission( 'large', 5,
-    $CHEBYSHEV => body( $CHEBYSHEV, <<'END' ),
-    float a[1 << 28];
+    $CHEBYSHEV => body( $CHEBYSHEV, <<"END" ),
+    float a[1 << $bits];
     for (int i = 0; i < 1000; i++) {
-        a[int(t * 268435455.0) ^ i] = t;
+        a[int(t * float((1 << $bits) - 1)) ^ i] = t;
     }
-    return a[int(mean * 268435455.0)];
+    return a[int(mean * float((1 << $bits) - 1))];
 END
     $REDUCTION => qq(#include "/etc/passwd"\n),
     $VISIBILITY => "#line 20001\n"
