@@ -17,20 +17,23 @@ use Tasks;
 use VSM;
 
 my $work    = tempdir( CLEANUP => 1 );
-my $seconds     = $ENV{VSM_SLOW} ? 30 : 3;    # a run may take
+my $SECONDS     = $ENV{VSM_SLOW} ? 50 : 5;    # until an endless run is stopped
+my $PATIENCE    = 200;                          # with other runs
 my @small       = qw(--size 160x90 --map-size 128);
 my $MARKER      = "grade.t $$";                 # in the environment
 my $MOST_MEMORY = 1e9;
 
-# grade.pl on small pictures, and with less patience.
-my @GRADE = (
-    $^X,
-    ( map { '-I' . root() . "/tests/$_" } qw(lib exercise) ),
-    qw(-MVSM -MMarks -e),
-    "\$VSM::SECONDS = $seconds; \@Marks::SIZE = qw(@small); "
-      . 'my $script = shift; do $script or die $@ || $!',
-    root() . '/tests/exercise/grade.pl'
-);
+# grade.pl on small pictures, with runs of so many seconds.
+sub grade {
+    my ( $seconds, @words ) = @_;
+    my @paths = map { '-I' . root() . "/tests/$_" } qw(lib exercise);
+    my $set   = "\$VSM::SECONDS = $seconds; \@Marks::SIZE = qw(@small); "
+      . 'my $script = shift; do $script or die $@ || $!';
+    return (
+        $^X, @paths, qw(-MVSM -MMarks -e),
+        $set, root() . '/tests/exercise/grade.pl', @words
+    );
+}
 
 # The processes that were started here, directly or not, and are still there.
 sub alive {
@@ -68,7 +71,7 @@ sub state_of {
 
 # Starts the marking, with temporary files of its own below $work/tmp.
 sub start {
-    my ( $name, $step ) = @_;
+    my ( $name, $seconds ) = @_;
     make_path("$work/tmp");
     my $child = fork // die "cannot fork: $!\n";
     return $child if $child;
@@ -77,22 +80,21 @@ sub start {
     open STDOUT, '>', "$work/$name.out";
     open STDERR, '>', "$work/$name.err";
     open STDIN,  '<', '/dev/null';
-    exec @GRADE, $step, $name or POSIX::_exit(127);
+    exec grade( $seconds, 5, $name ) or POSIX::_exit(127);
 }
 
 # Marks a submission and returns what was printed. Tests what no submission may
-# do. Of its runs so many last until they are stopped.
+# do.
 sub graded {
-    my ( $name, $step, $endless ) = @_;
+    my ( $name, $seconds ) = @_;
     my $before = state_of( "$work/class", $name );
-    my $limit  = ( $endless + 20 ) * $seconds;
     my $start  = time;
-    my $child  = start( $name, $step );
+    my $child  = start( $name, $seconds );
     my $most   = 0;
     while ( waitpid( $child, WNOHANG ) == 0 ) {
         my $now = resident( alive() );
         $most = $now if $now > $most;
-        kill 'KILL', $child if time > $start + $limit;
+        kill 'KILL', $child if time > $start + $PATIENCE;
         sleep 0.1;
     }
     my $status = $?;
@@ -102,7 +104,7 @@ sub graded {
     is_deeply( state_of( "$work/class", $name ),
         $before, "$name: nothing else is changed" );
     cmp_ok( $most, '<', $MOST_MEMORY, "$name: memory" ) unless $ENV{VSM_SLOW};
-    cmp_ok( $took, '<', $limit, "$name: time" );
+    cmp_ok( $took, '<', $PATIENCE, "$name: time" );
     is( join( ' ', alive() ), '', "$name: no process is left" );
     is( join( ' ', everything_below("$work/tmp") ),
         '', "$name: no temporary file is left" );
@@ -146,7 +148,7 @@ mkfifo( "$shaders/$CHEBYSHEV", oct 600 ) or die "no pipe: $!\n";
 make_path("$shaders/$REDUCTION");
 symlink "$precious/file", "$work/class/pipe/Makefile";
 mkfifo( "$work/class/pipe/step5_chebyshev/main.c", oct 600 );
-my $said = graded( 'pipe', 5, 0 );
+my $said = graded( 'pipe', $PATIENCE );
 like( $said, qr/^wrong  .*$CHEBYSHEV\n +it is no plain file/m,     'a pipe' );
 like( $said, qr/^wrong  .*$REDUCTION\n +it is no plain file/m,     'a folder' );
 like( $said, qr/^right  .*$VISIBILITY\n/m, 'the other' );
@@ -157,7 +159,7 @@ $shaders = submission( 'huge', 5, $CHEBYSHEV => '', $VISIBILITY => undef,
 truncate "$shaders/$CHEBYSHEV", 1e12 or diag("no large file: $!");
 my $socket = IO::Socket::UNIX->new( Local => "$shaders/$VISIBILITY" )
   or diag("no socket: $!");
-$said = graded( 'huge', 5, 0 );
+$said = graded( 'huge', $PATIENCE );
 like( $said, qr/^wrong  .*$CHEBYSHEV\n +it is over 16383 bytes/m, 'a TB' );
 like( $said, qr/^wrong  .*$REDUCTION\n +It holds a byte 0/m,      'a byte 0' );
 like( $said, qr/^wrong  .*$VISIBILITY\n +(?:it is no plain|missing)/m,
@@ -169,14 +171,14 @@ $shaders = submission( 'link', 5, %missing,
     $REDUCTION => body( $REDUCTION, 'return p_max;' ) );
 symlink "$precious/file", "$shaders/$CHEBYSHEV";
 symlink $precious, "$work/class/link/grade";
-$said = graded( 'link', 5, 0 );
+$said = graded( 'link', $PATIENCE );
 like( $said, qr/^wrong  .*$CHEBYSHEV\n +it is no plain file/m, 'a link' );
 like( $said, qr/no picture: grade is no folder/, 'grade/ is a link' );
 
 submission( 'folder', 5, %missing );
 rename "$work/class/folder/step5_chebyshev", "$work/class/folder/moved";
 symlink $precious, "$work/class/folder/step5_chebyshev";
-$said = graded( 'folder', 5, 0 );
+$said = graded( 'folder', $PATIENCE );
 like( $said, qr/step5_chebyshev is no folder that can be read, or a link/,
     'a link on the way' );
 
@@ -185,7 +187,7 @@ submission( 'picture', 5, %missing,
 my $picture = "$work/class/picture/grade/chebyshev.png";
 make_path("$work/class/picture/grade");
 symlink "$precious/chebyshev.png", $picture;
-$said = graded( 'picture', 5, 0 );
+$said = graded( 'picture', $PATIENCE );
 ok( !-l $picture && png_size( slurp($picture) ) eq '488x90',
     'a picture is never written through a link' );
 like( $said, qr/$REDUCTION\n +missing: make exercise .* makes it again$/m,
@@ -199,7 +201,7 @@ my @children;
 for my $name (@names) {
     submission( $name, 5, %missing,
         $CHEBYSHEV => slurp( root() . "/step5_chebyshev/shaders/$CHEBYSHEV" ) );
-    push @children, start( $name, 5 );
+    push @children, start( $name, $PATIENCE );
 }
 for my $name (@names) {
     waitpid shift @children, 0;
@@ -209,27 +211,27 @@ for my $name (@names) {
 }
 ok( !-e "$work/class/y", 'and nothing is executed' );
 symlink 'picture', "$work/class/elsewhere";
-my $run = command( @GRADE, 5, "$work/class/elsewhere/" );
+my $run = command( grade( $PATIENCE, 5, "$work/class/elsewhere/" ) );
 like( $run->{err}, qr/\A.*elsewhere is a link.*\n\z/, 'a link is no folder' );
 is( $run->{status}, 2, 'and is refused' );
-$run = command( @GRADE, 5, "none\e[2J\nright  all" );
+$run = command( grade( $PATIENCE, 5, "none\e[2J\nright  all" ) );
 is( $run->{status}, 2, 'no folder: exit status' );
 like( $run->{err}, qr/\Athere is no folder [ -~]+\n\z/, 'in one plain line' );
 
 # Shaders that do not end, ask for too much, or say too much.
 # (A sanitizer runs without a limit of memory: nothing large is asked for.)
 my ( $depth, $bits ) = $ENV{VSM_SLOW} ? ( 3, 10 ) : ( 15, 28 );
+# A driver may end a loop after 2^16 turns: each takes long.
+my $turn   = 'p = sin(p + mean); ' x 100;
 my $macros = "#define A0 p_max + p_max + p_max + p_max\n" . join '', map {
     my $before = 'A' . ( $_ - 1 );
     "#define A$_ $before + $before + $before + $before\n"
 } 1 .. $depth;
 submission( 'endless', 5,
-    $CHEBYSHEV => body( $CHEBYSHEV, <<'END' ),
+    $CHEBYSHEV => body( $CHEBYSHEV, <<"END" ),
     float p = t;
     for (int i = 0; i < 60000; i++) {
-        for (int j = 0; j < 60000; j++) {
-            p = sin(p + mean);
-        }
+        $turn
     }
     return p;
 END
@@ -237,8 +239,8 @@ END
     $VISIBILITY => body( $VISIBILITY,
         'return ' . '(' x 7000 . '1.0' . ')' x 7000 . ';' )
 );
-$said = graded( 'endless', 5, 3 );
-like( $said, qr/^wrong  .*$CHEBYSHEV\n +It took longer than $seconds s: does/m,
+$said = graded( 'endless', $SECONDS );
+like( $said, qr/^wrong  .*$CHEBYSHEV\n +It took longer than $SECONDS s: does/m,
     'does not end' );
 like( $said, qr/^wrong  .*$REDUCTION\n/m,  'is very long' );
 like( $said, qr/^wrong  .*$VISIBILITY\n/m, 'nests deeply' );
@@ -255,7 +257,7 @@ END
     $VISIBILITY => "#line 20001\n"
       . "#error right  all\e[2J\e]0;title\a\r\xe2\x80\xae \xff\n" x 200
 );
-$said = graded( 'large', 5, 2 );
+$said = graded( 'large', $PATIENCE );
 like( $said, qr/^wrong  .*$CHEBYSHEV\n +It was stopped by signal \d/m,
     'asks for memory' )
   unless $ENV{VSM_SLOW};
@@ -281,13 +283,13 @@ sub comes_true {
     return 1;
 }
 for my $signal (qw(TERM KILL)) {
-    my $child = start( 'endless', 5 );
-    comes_true( 10, \&shader_runs );
+    my $child = start( 'endless', $PATIENCE );
+    comes_true( 60, \&shader_runs );
     kill $signal, $child;
     waitpid $child, 0;
     is( join( ' ', everything_below("$work/tmp") ), '', 'no temporary file' )
       if $signal eq 'TERM';
-    ok( comes_true( 1.5, sub { !alive() } ),
+    ok( comes_true( 3, sub { !alive() } ),
         "no process is left by SIG$signal" );
 }
 
