@@ -81,7 +81,7 @@ $(foreach word,$(filter-out CC CXX %FLAGS,$(.VARIABLES)),\
     $(if $(filter command,$(firstword $(origin $(word)))),\
         $(eval override $(word) := $$(value $(word)))$(eval export $(word))))
 
-# A single folder or a copy of it installs nothing.
+# A single folder or a copy of it names what is missing and installs nothing.
 DEPS ?= no
 $(if $(filter-out [yes] [no],[$(value DEPS)]),\
     $(error DEPS is yes or no, as in make DEPS=no))
@@ -120,8 +120,6 @@ RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
     libglfw3-dev:module:glfw3 libcglm-dev:module:cglm \
     libpng-dev:module:libpng libopenexr-dev:module:OpenEXR
 
-# A single folder or a copy of it names what is missing and installs nothing.
-DEPS ?= no
 .PHONY: set-up
 set-up: ## install the packages that are missing (DEPS=no: only name them)
 	@sh $(ROOT)/step1_shadowmap/base/set-up.sh '$(DEPS)' 'the programs' \
