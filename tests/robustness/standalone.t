@@ -1,6 +1,7 @@
 # Each step is a program of its own: `make standalone` copies exactly the
 # files of its list, and the copy builds and draws the same without the rest
-# of the tree. And what else the Makefile promises about a step.
+# of the tree, in a folder of any name. And what else the Makefile promises
+# about a step.
 use strict;
 use warnings;
 
@@ -11,6 +12,8 @@ use Test::More;
 use VSM;
 
 my $work = tempdir( CLEANUP => 1 );
+$work .= '/it\'s my copy $x #1 (b) [c]{d} 100% "q" & \\t;*';
+mkdir $work;
 
 # `make test` hands its own flags and options down; what is tested here is a
 # make that somebody types.
