@@ -3,6 +3,7 @@
 # builds them there. Run in the tree's top.
 # usage: standalone.sh DIR PROGRAM FILE...
 set -eu
+export LC_ALL=C
 folder=$1
 program=$2
 shift 2

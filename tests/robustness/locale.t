@@ -43,9 +43,9 @@ like( $run, qr/"ms": \d+\.\d+\}/,          'run.json: a time' );
 my ( $comma, $point ) = both( program(5), '--list-scenes' );
 is( $comma, $point, 'scenes' );
 ( $comma, $point ) =
-  both( program(5), '--plan', qw(--output plan.png --size 160x90) );
+  both( program(5), '--plan', qw(--size 160x90) );
 is( $comma, $point, 'a plan' );
-($comma) = both( program(5), qw(--size 160x90 --bench 1 --output bench.png) );
+($comma) = both( program(5), qw(--size 160x90 --bench 1 --redraw) );
 like( $comma, qr/^total(?:,\d+\.\d+){3},1,/m, 'times' );
 my $oracle = program(1) =~ s{[^/]*$}{oracle}r;
 ( $comma, $point ) = both( $oracle, 'errors', 'dump' );
