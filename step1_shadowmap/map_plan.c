@@ -2,7 +2,7 @@
 
 #include <stdio.h> // snprintf
 
-#include "step1_shadowmap/base/stamp.h" // stamp_add
+#include "step1_shadowmap/base/leave_out/stamp.h" // stamp_add
 
 // What a layer's texels are made from: the view, to the last bit, and the
 // objects. The origin is the camera, so a camera that moves changes every map

@@ -4,8 +4,8 @@
 
 #include <stdint.h> // uint64_t
 
-#include "step1_shadowmap/base/facts.h" // Facts
-#include "step1_shadowmap/base/gl.h"    // GLenum
+#include "step1_shadowmap/base/leave_out/facts.h" // Facts
+#include "step1_shadowmap/base/gl/gl.h"           // GLenum
 
 typedef struct LayerPlan {
     Rect rect;      // the texels that are drawn; empty: the layer is left out

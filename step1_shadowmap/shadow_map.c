@@ -1,7 +1,7 @@
 #include "step1_shadowmap/shadow_map.h"
 
-#include "step1_shadowmap/base/dump.h" // dump_layers
-#include "step1_shadowmap/base/flat.h" // flat_everywhere
+#include "step1_shadowmap/base/picture/dump.h"   // dump_layers
+#include "step1_shadowmap/base/leave_out/flat.h" // flat_everywhere
 
 const Option bias_options[] = {
     {.name = "bias",

@@ -2,12 +2,12 @@
 #ifndef STEP1_SHADOW_MAP_H
 #define STEP1_SHADOW_MAP_H
 
-#include "step1_shadowmap/base/geometry.h"  // Geometry
-#include "step1_shadowmap/base/gl.h"        // ShaderFiles
-#include "step1_shadowmap/base/options.h"   // Option
-#include "step1_shadowmap/base/stopwatch.h" // Touched
-#include "step1_shadowmap/base/view.h"      // Views
-#include "step1_shadowmap/map_plan.h"       // MapPlan
+#include "step1_shadowmap/base/picture/geometry.h" // Geometry
+#include "step1_shadowmap/base/gl/gl.h"            // ShaderFiles
+#include "step1_shadowmap/base/system/options.h"   // Option
+#include "step1_shadowmap/base/system/stopwatch.h" // Touched
+#include "step1_shadowmap/base/light/view.h"       // Views
+#include "step1_shadowmap/map_plan.h"              // MapPlan
 
 // Against self-shadowing, for every step that compares depths.
 typedef struct BiasSettings {

@@ -1,15 +1,15 @@
 // Step 2: percentage-closer filtering. The map is step 1's; each point of the
 // picture compares itself with n x n of its texels and averages the answers.
 
-#include "step1_shadowmap/base/context.h"    // context_create
-#include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/facts.h"      // facts_collect
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw
-#include "step1_shadowmap/base/settings.h"   // base_settings
-#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
-#include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step1_shadowmap/shadow_map.h"      // shadow_map_draw
-#include "step2_pcf/pcf.h"                   // pcf_apply
+#include "step1_shadowmap/base/gl/context.h"         // context_create
+#include "step1_shadowmap/base/picture/dump.h"       // dump_run
+#include "step1_shadowmap/base/leave_out/facts.h"    // facts_collect
+#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/run/settings.h"       // base_settings
+#include "step1_shadowmap/base/system/stopwatch.h"   // stopwatch_lap
+#include "step1_shadowmap/base/run/window.h"         // window_next, window_show
+#include "step1_shadowmap/shadow_map.h"              // shadow_map_draw
+#include "step2_pcf/pcf.h"                           // pcf_apply
 
 static struct {
     BaseSettings base;

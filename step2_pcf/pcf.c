@@ -3,8 +3,8 @@
 #include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h"        // die_usage
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw_footprint
+#include "step1_shadowmap/base/system/die.h"         // die_usage
+#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw_footprint
 
 const Option pcf_options[] = {
     {.name = "kernel",

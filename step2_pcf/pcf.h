@@ -2,8 +2,8 @@
 #ifndef STEP2_PCF_H
 #define STEP2_PCF_H
 
-#include "step1_shadowmap/base/options.h" // Option
-#include "step1_shadowmap/shadow_map.h"   // BiasSettings
+#include "step1_shadowmap/base/system/options.h" // Option
+#include "step1_shadowmap/shadow_map.h"          // BiasSettings
 
 typedef struct PcfSettings {
     int kernel;          // n of n x n taps, odd

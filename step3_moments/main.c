@@ -1,14 +1,14 @@
 // Step 3: moments. The map keeps two numbers per texel, the depth and its
 // square. The picture still compares with one of them, the mean.
 
-#include "step1_shadowmap/base/context.h"    // context_create
-#include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/facts.h"      // facts_collect
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw
-#include "step1_shadowmap/base/settings.h"   // base_settings
-#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
-#include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step3_moments/moments.h"           // moments_draw
+#include "step1_shadowmap/base/gl/context.h"         // context_create
+#include "step1_shadowmap/base/picture/dump.h"       // dump_run
+#include "step1_shadowmap/base/leave_out/facts.h"    // facts_collect
+#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/run/settings.h"       // base_settings
+#include "step1_shadowmap/base/system/stopwatch.h"   // stopwatch_lap
+#include "step1_shadowmap/base/run/window.h"         // window_next, window_show
+#include "step3_moments/moments.h"                   // moments_draw
 
 enum { REACH = 1 }; // texels that a bilinear lookup reads to each side
 

@@ -2,8 +2,8 @@
 
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h"  // die_usage
-#include "step1_shadowmap/base/dump.h" // dump_layers
+#include "step1_shadowmap/base/system/die.h"   // die_usage
+#include "step1_shadowmap/base/picture/dump.h" // dump_layers
 
 const Option moments_options[] = {
     {.name = "format",

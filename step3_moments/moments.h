@@ -2,11 +2,11 @@
 #ifndef STEP3_MOMENTS_H
 #define STEP3_MOMENTS_H
 
-#include "step1_shadowmap/base/legend.h"   // ShowMode
-#include "step1_shadowmap/base/options.h"  // Option
-#include "step1_shadowmap/base/settings.h" // BaseSettings
-#include "step1_shadowmap/shadow_map.h"    // ShadowMap
-#include "step3_moments/multisample.h"     // Multisample
+#include "step1_shadowmap/base/picture/legend.h" // ShowMode
+#include "step1_shadowmap/base/system/options.h" // Option
+#include "step1_shadowmap/base/run/settings.h"   // BaseSettings
+#include "step1_shadowmap/shadow_map.h"          // ShadowMap
+#include "step3_moments/multisample.h"           // Multisample
 
 #include <stdbool.h>
 

@@ -5,8 +5,8 @@
 #include <stdlib.h> // free
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // allocate, die_usage
-#include "step4_blur/running_box.h"   // running_box_apply
+#include "step1_shadowmap/base/system/die.h" // allocate, die_usage
+#include "step4_blur/running_box.h"          // running_box_apply
 
 static BlurTarget create_target(Blur *blur, const ShadowMap *map)
 {

@@ -2,10 +2,10 @@
 #ifndef STEP4_BLUR_H
 #define STEP4_BLUR_H
 
-#include "step1_shadowmap/base/options.h" // Option
-#include "step3_moments/moments.h"        // MomentsMap
-#include "step4_blur/mips.h"              // Mips
-#include "step4_blur/sat.h"               // Sat
+#include "step1_shadowmap/base/system/options.h" // Option
+#include "step3_moments/moments.h"               // MomentsMap
+#include "step4_blur/mips.h"                     // Mips
+#include "step4_blur/sat.h"                      // Sat
 
 enum { BLUR_MAX_FILTERS = 3 };
 

@@ -2,7 +2,7 @@
 
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h" // die_usage
+#include "step1_shadowmap/base/system/die.h" // die_usage
 
 // The published filter of 7 taps.
 enum { BINOMIAL_RADIUS = 3 };

@@ -1,8 +1,8 @@
 // How the picture looks the filtered map up.
 #include "step4_blur/blur.h"
 
-#include "step1_shadowmap/base/dump.h"       // dump_layers
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw_footprint
+#include "step1_shadowmap/base/picture/dump.h"       // dump_layers
+#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw_footprint
 
 const char blur_sat_lookup[] = "step4_blur/shaders/lookup_sat.glsl";
 

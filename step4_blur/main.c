@@ -1,13 +1,13 @@
 // Step 4: blur. The moments are averaged; comparing with their mean is wrong.
 
-#include "step1_shadowmap/base/context.h"    // context_create
-#include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw
-#include "step1_shadowmap/base/settings.h"   // base_settings
-#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
-#include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step3_moments/moments.h"           // moments_draw
-#include "step4_blur/blur.h"                 // blur_apply
+#include "step1_shadowmap/base/gl/context.h"         // context_create
+#include "step1_shadowmap/base/picture/dump.h"       // dump_run
+#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw
+#include "step1_shadowmap/base/run/settings.h"       // base_settings
+#include "step1_shadowmap/base/system/stopwatch.h"   // stopwatch_lap
+#include "step1_shadowmap/base/run/window.h"         // window_next, window_show
+#include "step3_moments/moments.h"                   // moments_draw
+#include "step4_blur/blur.h"                         // blur_apply
 
 static struct {
     BaseSettings base;

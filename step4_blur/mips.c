@@ -3,9 +3,9 @@
 #include <stdio.h>  // snprintf
 #include <stdlib.h> // free
 
-#include "step1_shadowmap/base/die.h"    // die_usage
-#include "step1_shadowmap/base/dump.h"   // dump_image
-#include "step1_shadowmap/base/memory.h" // memory_check
+#include "step1_shadowmap/base/system/die.h"    // die_usage
+#include "step1_shadowmap/base/picture/dump.h"  // dump_image
+#include "step1_shadowmap/base/system/memory.h" // memory_check
 
 int mips_count(const int size[2])
 {

@@ -3,10 +3,10 @@
 #include <stdint.h> // UINT32_MAX
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/die.h"    // die_usage
-#include "step1_shadowmap/base/dump.h"   // dump_layers
-#include "step1_shadowmap/base/memory.h" // memory_check
-#include "step1_shadowmap/shadow_map.h"  // shadow_map_depths
+#include "step1_shadowmap/base/system/die.h"    // die_usage
+#include "step1_shadowmap/base/picture/dump.h"  // dump_layers
+#include "step1_shadowmap/base/system/memory.h" // memory_check
+#include "step1_shadowmap/shadow_map.h"         // shadow_map_depths
 
 // Integers cannot be filtered, so the lookup reads single texels.
 static GLuint create_table(const Sat *sat)

@@ -3,10 +3,10 @@
 #ifndef STEP4_SAT_H
 #define STEP4_SAT_H
 
-#include "step1_shadowmap/base/gl.h"        // Program
-#include "step1_shadowmap/base/stopwatch.h" // Touched
-#include "step1_shadowmap/map_plan.h"       // MapPlan
-#include "step4_blur/sat_compute.h"         // SatCompute
+#include "step1_shadowmap/base/gl/gl.h"            // Program
+#include "step1_shadowmap/base/system/stopwatch.h" // Touched
+#include "step1_shadowmap/map_plan.h"              // MapPlan
+#include "step4_blur/sat_compute.h"                // SatCompute
 
 // A table, and the one that the next pass writes.
 typedef struct Sat {

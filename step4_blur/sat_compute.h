@@ -4,8 +4,8 @@
 #ifndef STEP4_SAT_COMPUTE_H
 #define STEP4_SAT_COMPUTE_H
 
-#include "step1_shadowmap/base/gl.h"  // Program
-#include "step1_shadowmap/map_plan.h" // MapPlan
+#include "step1_shadowmap/base/gl/gl.h" // Program
+#include "step1_shadowmap/map_plan.h"   // MapPlan
 
 // None (all zero) where fragments make the table.
 typedef struct SatCompute {

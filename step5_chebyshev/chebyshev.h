@@ -2,9 +2,9 @@
 #ifndef STEP5_CHEBYSHEV_H
 #define STEP5_CHEBYSHEV_H
 
-#include "step1_shadowmap/base/options.h" // Option
-#include "step3_moments/moments.h"        // MomentsSettings
-#include "step5_chebyshev/guard.h"        // GuardNumbers
+#include "step1_shadowmap/base/system/options.h" // Option
+#include "step3_moments/moments.h"               // MomentsSettings
+#include "step5_chebyshev/guard.h"               // GuardNumbers
 
 typedef struct ChebyshevSettings {
     double min_variance;    // of the squared depth range, or OPTION_AUTO

@@ -3,7 +3,7 @@
 #ifndef STEP5_DEFERRED_H
 #define STEP5_DEFERRED_H
 
-#include "step1_shadowmap/base/scene_draw.h" // SceneDraw
+#include "step1_shadowmap/base/picture/scene_draw.h" // SceneDraw
 
 enum { DEFERRED_TEXTURES = 5 };
 

@@ -2,7 +2,7 @@
 
 #include <math.h> // pow
 
-#include "step1_shadowmap/base/die.h" // die
+#include "step1_shadowmap/base/system/die.h" // die
 
 #define ROUNDOFF 0x1p-24
 #define UNDERFLOW 0x1p-126

@@ -3,7 +3,7 @@
 
 #include <stdlib.h> // free
 
-#include "step1_shadowmap/base/die.h" // allocate
+#include "step1_shadowmap/base/system/die.h" // allocate
 
 // One filter of the blur. Its weights are rounded, each by a part of itself: so
 // is their sum. Running boxes round no more often: a term meets as many

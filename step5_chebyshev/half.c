@@ -25,9 +25,9 @@
 #include <stdlib.h> // qsort
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/dvec.h"      // dvec_dot
-#include "step1_shadowmap/base/volume.h"    // volume_object_box
-#include "step5_chebyshev/guard_settings.h" // guard_of_settings
+#include "step1_shadowmap/base/scene/dvec.h"   // dvec_dot
+#include "step1_shadowmap/base/light/volume.h" // volume_object_box
+#include "step5_chebyshev/guard_settings.h"    // guard_of_settings
 
 // A depth between 1/2 and 1, stored; and how far those of one plane are from
 // each other: single precision.

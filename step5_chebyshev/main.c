@@ -1,17 +1,17 @@
 // Step 5: variance shadow mapping. The filtered moments bound how much light
 // can arrive; the bound is the shadow.
 
-#include "step1_shadowmap/base/context.h"    // context_create
-#include "step1_shadowmap/base/dump.h"       // dump_run
-#include "step1_shadowmap/base/scene_draw.h" // scene_draw_dump
-#include "step1_shadowmap/base/settings.h"   // base_settings
-#include "step1_shadowmap/base/stopwatch.h"  // stopwatch_lap
-#include "step1_shadowmap/base/window.h"     // window_next, window_show
-#include "step3_moments/moments.h"           // moments_draw
-#include "step4_blur/blur.h"                 // blur_apply
-#include "step5_chebyshev/chebyshev.h"       // chebyshev_settings
-#include "step5_chebyshev/deferred.h"        // deferred_draw
-#include "step5_chebyshev/shading.h"         // shading_picture
+#include "step1_shadowmap/base/gl/context.h"         // context_create
+#include "step1_shadowmap/base/picture/dump.h"       // dump_run
+#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw_dump
+#include "step1_shadowmap/base/run/settings.h"       // base_settings
+#include "step1_shadowmap/base/system/stopwatch.h"   // stopwatch_lap
+#include "step1_shadowmap/base/run/window.h"         // window_next, window_show
+#include "step3_moments/moments.h"                   // moments_draw
+#include "step4_blur/blur.h"                         // blur_apply
+#include "step5_chebyshev/chebyshev.h"               // chebyshev_settings
+#include "step5_chebyshev/deferred.h"                // deferred_draw
+#include "step5_chebyshev/shading.h"                 // shading_picture
 
 static struct {
     BaseSettings base;

@@ -2,12 +2,12 @@
 
 #include <string.h> // memmove, strcmp
 
-#include "step1_shadowmap/base/die.h"       // die_usage
-#include "step1_shadowmap/base/flat.h"      // flat_everywhere
-#include "step1_shadowmap/shadow_map.h"     // bias_apply
-#include "step5_chebyshev/deferred.h"       // deferred_source
-#include "step5_chebyshev/guard_settings.h" // guard_of_settings
-#include "step5_chebyshev/half.h"           // half_choose
+#include "step1_shadowmap/base/system/die.h"     // die_usage
+#include "step1_shadowmap/base/leave_out/flat.h" // flat_everywhere
+#include "step1_shadowmap/shadow_map.h"          // bias_apply
+#include "step5_chebyshev/deferred.h"            // deferred_source
+#include "step5_chebyshev/guard_settings.h"      // guard_of_settings
+#include "step5_chebyshev/half.h"                // half_choose
 
 const Option shading_options[] = {
     {.name = "deferred",

@@ -3,11 +3,11 @@
 #ifndef STEP5_SHADING_H
 #define STEP5_SHADING_H
 
-#include "step1_shadowmap/base/scene_draw.h" // SceneDraw
-#include "step3_moments/moments.h"           // MomentsSettings
-#include "step4_blur/blur.h"                 // BlurSettings
-#include "step5_chebyshev/chebyshev.h"       // ChebyshevSettings
-#include "step5_chebyshev/soft.h"            // SoftSettings
+#include "step1_shadowmap/base/picture/scene_draw.h" // SceneDraw
+#include "step3_moments/moments.h"                   // MomentsSettings
+#include "step4_blur/blur.h"                         // BlurSettings
+#include "step5_chebyshev/chebyshev.h"               // ChebyshevSettings
+#include "step5_chebyshev/soft.h"                    // SoftSettings
 
 typedef struct ShadingSettings {
     MomentsSettings moments; // of the stages that the picture stands on

@@ -2,8 +2,8 @@
 #ifndef STEP5_SOFT_H
 #define STEP5_SOFT_H
 
-#include "step1_shadowmap/base/view.h" // Views
-#include "step4_blur/blur.h"           // BlurSettings
+#include "step1_shadowmap/base/light/view.h" // Views
+#include "step4_blur/blur.h"                 // BlurSettings
 
 typedef struct SoftSettings {
     double light_size; // its diameter, world units; of a parallel light at a

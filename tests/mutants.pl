@@ -149,7 +149,7 @@ my %mutants = (
     ],
     'the map\'s edge goes on outside' => [
         'step4',
-        'step1_shadowmap/base/gl.c',
+        'step1_shadowmap/base/gl/gl.c',
         '(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER',
         '(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE'
     ],
@@ -217,77 +217,77 @@ my %mutants = (
         '(Sampling){GL_NEAREST', '(Sampling){GL_LINEAR'
     ],
     'a copy without shaders takes those of the tree around it' => [
-        'robustness/moved', 'step1_shadowmap/base/tree.c',
+        'robustness/moved', 'step1_shadowmap/base/files/tree.c',
         '"%s/step1_shadowmap"', '"%s/step1_shadowmap/shaders"'
     ],
     'a link to no shader is not there' => [
-        'robustness/moved', 'step1_shadowmap/base/gl_program.c',
+        'robustness/moved', 'step1_shadowmap/base/gl/gl_program.c',
         'lstat(path, &status) == 0', 'stat(path, &status) == 0'
     ],
     "an error in the tree's file, which was not read" => [
-        'robustness/bad_input', 'step1_shadowmap/base/gl_program.c',
+        'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
         'find_shader(where, files[numbered',
         'find_shader((ShaderFiles){0}, files[numbered'
     ],
     'a driver that crashes without a word' => [
-        'robustness/bad_input', 'step1_shadowmap/base/crash.c',
+        'robustness/bad_input', 'step1_shadowmap/base/gl/crash.c',
         'steered || steers(*variable)', 'steered && steers(*variable)'
     ],
     'what is printed is lost' => [
-        'robustness/printed', 'step1_shadowmap/base/printed.c',
+        'robustness/printed', 'step1_shadowmap/base/system/printed.c',
         'fflush(stdout) != 0 || ferror(stdout)',
         'fflush(stdout) != 0 && feof(stdout)'
     ],
     'a display in the place of stdout' => [
-        'robustness/window', 'step1_shadowmap/base/printed.c',
+        'robustness/window', 'step1_shadowmap/base/system/printed.c',
         'F_GETFD) == -1', 'F_GETFD) == -2'
     ],
     'times of a map that is kept, without a word' => [
-        'robustness/printed', 'step1_shadowmap/base/stopwatch.c',
+        'robustness/printed', 'step1_shadowmap/base/system/stopwatch.c',
         'touched[0].texels == 0', 'touched[0].texels == 1'
     ],
     'a picture that nobody asked for' => [
-        'robustness/written',          'step1_shadowmap/base/settings.c',
+        'robustness/written',          'step1_shadowmap/base/run/settings.c',
         'other && !settings->window', 'other && settings->window'
     ],
     'a file in the place of a link' => [
-        'robustness/written', 'step1_shadowmap/base/file.c',
+        'robustness/written', 'step1_shadowmap/base/files/file.c',
         'replace(target, &old', 'replace(path, &old'
     ],
     'permissions that are lost' => [
-        'robustness/written', 'step1_shadowmap/base/file.c',
+        'robustness/written', 'step1_shadowmap/base/files/file.c',
         'old->st_mode & 07777', '0600'
     ],
     'a name that leaves no room for a longer one' => [
-        'robustness/written', 'step1_shadowmap/base/file.c',
+        'robustness/written', 'step1_shadowmap/base/files/file.c',
         'errno == ENAMETOOLONG', 'errno == ENOSYS'
     ],
     'a file of the part that another program left' => [
-        'robustness/killed',     'step1_shadowmap/base/file.c',
+        'robustness/killed',     'step1_shadowmap/base/files/file.c',
         'ftruncate(file, 0) != 0', 'lseek(file, 0, SEEK_END) < 0'
     ],
     'a picture that is stretched' => [
-        'robustness/window', 'step1_shadowmap/base/window.c',
+        'robustness/window', 'step1_shadowmap/base/run/window.c',
         'fmin((double)inside', 'fmax((double)inside'
     ],
     'keys of small letters only' => [
-        'robustness/window', 'step1_shadowmap/base/context.c',
+        'robustness/window', 'step1_shadowmap/base/gl/context.c',
         '(char)tolower(letter)', '(char)letter'
     ],
     'keys of Latin letters only' => [
-        'robustness/window', 'step1_shadowmap/base/context.c',
+        'robustness/window', 'step1_shadowmap/base/gl/context.c',
         '(unsigned char)*name >= 128', '(unsigned char)*name > 255'
     ],
     'a PNG upside down' => [
-        'files', 'step1_shadowmap/base/image_png.c',
+        'files', 'step1_shadowmap/base/files/image_png.c',
         '-width * channels', 'width * channels'
     ],
     'a PNG of linear values' => [
-        'files', 'step1_shadowmap/base/image_png.c',
+        'files', 'step1_shadowmap/base/files/image_png.c',
         '(255 * encoded', '(255 * value'
     ],
     'an EXR upside down' => [
-        'files', 'step1_shadowmap/base/image_exr.cpp',
+        'files', 'step1_shadowmap/base/files/image_exr.cpp',
         'row * std::size_t(y);', 'row * std::size_t(height - 1 - y);'
     ],
     'far depth that varies' => [
@@ -634,7 +634,7 @@ my %mutants = (
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
     'an object drawn in the place of another' => [
-        'step1', 'step1_shadowmap/base/draw_list.c',
+        'step1', 'step1_shadowmap/base/scene/draw_list.c',
         'list->objects[place] = before;', ''
     ],
     'a face of a point light that is never looked up' => [
@@ -741,12 +741,12 @@ my %mutants = (
         '1.2 * size.x >= max(size.y, size.z)'
     ],
     'a face of the light that is left out' => [
-        'plan', 'step1_shadowmap/base/volume.c',
+        'plan', 'step1_shadowmap/base/light/volume.c',
         'along[axis] = (face % 2 ? -1 : 1)',
         'along[axis] = (face % 2 ? -1 : face == 4 ? -1 : 1)'
     ],
     'a rectangle that ends before its receivers' => [
-        'looked_up',           'step1_shadowmap/base/receivers.c',
+        'looked_up',           'step1_shadowmap/base/leave_out/receivers.c',
         ') + MARGIN_TEXELS;', ') - 2 * MARGIN_TEXELS;'
     ],
     'a blur that reads beyond what was drawn' => [
@@ -764,12 +764,12 @@ my %mutants = (
         'settings->downsample << level', 'settings->downsample << 2 * level'
     ],
     'what is half in the picture is left out' => [
-        'plan',        'step1_shadowmap/base/volume.c',
+        'plan',        'step1_shadowmap/base/light/volume.c',
         'beyond == 8', 'beyond >= 4'
     ],
     'the camera and the picture\'s lower edge mixed up' => [
         'plan',
-        'step1_shadowmap/base/volume.c',
+        'step1_shadowmap/base/light/volume.c',
         'add_slab(&volume, clip[1], clip[3])',
         'add_slab(&volume, clip[1], clip[0])'
     ],
@@ -809,11 +809,11 @@ my %mutants = (
         ''
     ],
     'what is behind some receiver is left out' => [
-        'plan', 'step1_shadowmap/base/facts.c',
+        'plan', 'step1_shadowmap/base/leave_out/facts.c',
         'facts->layers[layer].deepest +', '0.5 * facts->layers[layer].deepest -'
     ],
     'moments without what is behind all receivers' => [
-        'plan', 'step1_shadowmap/base/facts.c', 'facts->compared &&', ''
+        'plan', 'step1_shadowmap/base/leave_out/facts.c', 'facts->compared &&', ''
     ],
     'an object that moves and leaves its shadow' => [
         'plan',
@@ -939,14 +939,14 @@ my %mutants = (
     ],
     'an object that moved is where it was' => [
         'plan',
-        'step1_shadowmap/base/facts.c',
+        'step1_shadowmap/base/leave_out/facts.c',
         'i < scene->object_count; i++) {
         stamp_add(', 'i < 0; i++) {
         stamp_add('
     ],
     'casters only where receivers are' => [
         'plan',
-        'step1_shadowmap/base/facts.c',
+        'step1_shadowmap/base/leave_out/facts.c',
         'high[axis] = (texels->high[axis] + 1.0)',
         'high[axis] = (texels->low[axis] + 1.0)'
     ],

@@ -26,8 +26,8 @@ $(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | set-up
 	    -c -o $@ $<
 # And step 5's own numbers, to be held against them.
 STABILITY_SHARED := $(BUILD)/obj/step5_chebyshev/guard.c.o \
-    $(BUILD)/obj/step1_shadowmap/base/die.c.o \
-    $(BUILD)/obj/step1_shadowmap/base/memory.c.o
+    $(BUILD)/obj/step1_shadowmap/base/system/die.c.o \
+    $(BUILD)/obj/step1_shadowmap/base/system/memory.c.o
 $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)
 	@echo link $@
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm
@@ -38,8 +38,8 @@ $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)
 ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
-    scene scene_table scene_build scene_daylight scene_closed scene_lamps \
-    scene_extreme mesh die memory)
+    $(addprefix scene/,scene scene_table scene_build scene_daylight \
+    scene_closed scene_lamps scene_extreme mesh) system/die system/memory)
 ORACLE_BOUNDS := $(patsubst %,$(BUILD)/obj/tests/stability/%.c.o,\
     bound formulas search windows)
 EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\

@@ -2,37 +2,11 @@
 # from its list. Before this: ROOT (the tree's top), PROGRAMS (their names) and
 # for each program the list of that name.
 
-base := \
-    step1_shadowmap/base/settings.h step1_shadowmap/base/settings.c \
-    step1_shadowmap/base/scene.h step1_shadowmap/base/scene.c \
-    step1_shadowmap/base/scene_table.h step1_shadowmap/base/scene_table.c \
-    step1_shadowmap/base/scene_build.h step1_shadowmap/base/scene_build.c \
-    step1_shadowmap/base/scene_daylight.c \
-    step1_shadowmap/base/scene_closed.c \
-    step1_shadowmap/base/scene_lamps.c \
-    step1_shadowmap/base/scene_extreme.c \
-    step1_shadowmap/base/mesh.h step1_shadowmap/base/mesh.c \
-    step1_shadowmap/base/teapot.h \
-    step1_shadowmap/base/view.h step1_shadowmap/base/view.c \
-    step1_shadowmap/base/light_view.h \
-    step1_shadowmap/base/light_parallel.c \
-    step1_shadowmap/base/light_local.c \
-    step1_shadowmap/base/light_splits.c \
-    step1_shadowmap/base/region.h step1_shadowmap/base/region.c \
-    step1_shadowmap/base/polygon.h step1_shadowmap/base/polygon.c \
-    step1_shadowmap/base/dvec.h \
-    step1_shadowmap/base/draw_list.h step1_shadowmap/base/draw_list.c \
-    step1_shadowmap/base/shape.h step1_shadowmap/base/shape.c \
-    step1_shadowmap/base/receivers.h step1_shadowmap/base/receivers.c \
-    step1_shadowmap/base/stamp.h step1_shadowmap/base/stamp.c \
-    step1_shadowmap/base/facts.h step1_shadowmap/base/facts.c \
-    step1_shadowmap/base/flat.h step1_shadowmap/base/flat.c \
-    step1_shadowmap/base/plan.h step1_shadowmap/base/plan.c \
-    step1_shadowmap/base/rect.h step1_shadowmap/base/rect.c \
-    step1_shadowmap/base/volume.h step1_shadowmap/base/volume.c \
-    step1_shadowmap/base/facing.h step1_shadowmap/base/facing.c \
-    step1_shadowmap/base/geometry.h step1_shadowmap/base/geometry.c \
-    step1_shadowmap/base/scene_draw.h step1_shadowmap/base/scene_draw.c \
+# Its rooms, the lowest first.
+base_rooms := system files gl scene light leave_out picture run
+base := step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh \
+    $(patsubst $(ROOT)/%,%,$(wildcard \
+    $(base_rooms:%=$(ROOT)/step1_shadowmap/base/%/*.[ch]*))) \
     step1_shadowmap/shaders/surface.glsl \
     step1_shadowmap/shaders/layer_only.glsl \
     step1_shadowmap/shaders/layer_face.glsl \
@@ -45,7 +19,6 @@ base := \
     step1_shadowmap/shaders/scale_hue.glsl \
     step1_shadowmap/shaders/show_plan.glsl \
     step1_shadowmap/shaders/scale_lookups.glsl \
-    step1_shadowmap/base/legend.h step1_shadowmap/base/legend.c \
     step1_shadowmap/shaders/fullscreen.vert \
     step1_shadowmap/shaders/legend.frag \
     step1_shadowmap/shaders/dump.glsl \
@@ -54,24 +27,7 @@ base := \
     step1_shadowmap/shaders/footprint.glsl \
     step1_shadowmap/shaders/footprint_nothing.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \
-    step1_shadowmap/base/window.h step1_shadowmap/base/window.c \
-    step1_shadowmap/shaders/present.frag \
-    step1_shadowmap/base/context.h step1_shadowmap/base/context.c \
-    step1_shadowmap/base/gl.h step1_shadowmap/base/gl.c \
-    step1_shadowmap/base/gl_program.c \
-    step1_shadowmap/base/options.h step1_shadowmap/base/options.c \
-    step1_shadowmap/base/stopwatch.h step1_shadowmap/base/stopwatch.c \
-    step1_shadowmap/base/dump.h step1_shadowmap/base/dump.c \
-    step1_shadowmap/base/image.h step1_shadowmap/base/image.c \
-    step1_shadowmap/base/image_encode.h step1_shadowmap/base/image_png.c \
-    step1_shadowmap/base/image_exr.cpp \
-    step1_shadowmap/base/file.h step1_shadowmap/base/file.c \
-    step1_shadowmap/base/tree.h step1_shadowmap/base/tree.c \
-    step1_shadowmap/base/printed.h step1_shadowmap/base/printed.c \
-    step1_shadowmap/base/crash.h step1_shadowmap/base/crash.c \
-    step1_shadowmap/base/memory.h step1_shadowmap/base/memory.c \
-    step1_shadowmap/base/die.h step1_shadowmap/base/die.c \
-    step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh
+    step1_shadowmap/shaders/present.frag
 
 # A word on the command line is data. Otherwise make would evaluate the name of
 # a folder, for example $(shell ...), when it hands the name to a recipe. Recipes

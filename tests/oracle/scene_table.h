@@ -8,7 +8,7 @@
 #include <cstdio>
 
 extern "C" {
-#include "step1_shadowmap/base/scene.h"
+#include "step1_shadowmap/base/scene/scene.h"
 }
 
 #include <glm/glm.hpp>

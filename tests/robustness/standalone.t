@@ -41,7 +41,10 @@ sub step_list {
     return list( "$name/Makefile", $name );
 }
 
-my @base = list( 'step1_shadowmap/base/base.mk', 'base' );
+# The ground floor is whatever lies in its rooms.
+my @base = split ' ',
+  make( '-s', '-C', root(), 'DEPS=no', '--eval=list: ; @echo $(base)', 'list' )
+  ->{out};
 
 sub check_copy {
     my ( $step, $folder ) = @_;

@@ -1,0 +1,317 @@
+// The programs of gl.h: read, compiled, linked, and read again.
+#define _POSIX_C_SOURCE 200809L // lstat
+
+#include "step1_shadowmap/base/gl/gl.h"
+
+#include <errno.h>
+#include <stdio.h>    // fopen, snprintf, sscanf
+#include <stdlib.h>   // free
+#include <string.h>   // strchr, strcspn, strstr
+#include <sys/stat.h> // lstat
+
+#include "step1_shadowmap/base/system/die.h" // allocate, complain, die
+#include "step1_shadowmap/base/files/tree.h" // tree_find
+
+enum {
+    LINES_PER_FILE = 10000,
+    FILE_BYTES = 1 << 14, // of the longest shader file, with the final 0
+    PATH_BYTES = 2 * FILE_NAME_BYTES,
+    LOG_BYTES = 4096,
+    MESSAGE_BYTES = PATH_BYTES + LOG_BYTES + 64
+};
+
+// What is left of the file as a string; NULL if it cannot be read.
+static char *read_all(FILE *file)
+{
+    char *text = allocate(FILE_BYTES, 1);
+    size_t length = 0;
+    while (!feof(file) && !ferror(file) && length + 1 < FILE_BYTES) {
+        length += fread(text + length, 1, FILE_BYTES - length - 1, file);
+    }
+    if (ferror(file) || !feof(file)) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}
+
+static bool is_there(const char *path)
+{
+    struct stat status;
+    return lstat(path, &status) == 0; // a link to nothing is there
+}
+
+// The file that is read for this name: that of --shaders, or the tree's. False
+// where there is no tree.
+static bool find_shader(ShaderFiles where, const char *name,
+                        char path[PATH_BYTES])
+{
+    char tree[FILE_NAME_BYTES];
+    if (where.directory != NULL) {
+        snprintf(path, PATH_BYTES, "%s/%s", where.directory, name);
+        if (is_there(path)) {
+            return true;
+        }
+    }
+    bool found = tree_find(tree);
+    snprintf(path, PATH_BYTES, "%s/%s", tree, name);
+    return found;
+}
+
+// The text of a shader file, or NULL and what is wrong with it.
+static char *read_shader(ShaderFiles where, const char *name, char *message)
+{
+    char path[PATH_BYTES];
+    if (!find_shader(where, name, path)) {
+        snprintf(message, MESSAGE_BYTES,
+                 "no shaders: this program is in no folder below one that "
+                 "holds %s; put it back, or say --shaders DIR",
+                 name);
+        return NULL;
+    }
+    FILE *file = fopen(path, "rb");
+    if (file == NULL && errno == ENOENT) {
+        snprintf(message, MESSAGE_BYTES, "missing shader file %s", path);
+        return NULL;
+    }
+    char *text = file == NULL ? NULL : read_all(file);
+    if (text == NULL) {
+        snprintf(message, MESSAGE_BYTES,
+                 "cannot read %s (or it is over %d bytes)", path,
+                 FILE_BYTES - 1);
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return text;
+}
+
+// Drivers put the number of the source string and the line in front, as in
+// "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). The
+// message is the first line that says "error", with the name of the file that
+// was read and its own line.
+static void explain_log(const char *log, ShaderFiles where,
+                        const char *const files[], char *message)
+{
+    char path[PATH_BYTES];
+    const char *line = log;
+    while (strstr(line, "error") != NULL && strchr(line, '\n') != NULL &&
+           strstr(line, "error") > strchr(line, '\n')) {
+        line = strchr(line, '\n') + 1;
+    }
+    int length = (int)strcspn(line, "\n");
+    int file = 0;
+    while (files[file + 1] != NULL) {
+        file++;
+    }
+    int number = 0;
+    int skipped = 0;
+    bool numbered =
+        sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) == 1 &&
+        number / LINES_PER_FILE <= file;
+    find_shader(where, files[numbered ? number / LINES_PER_FILE : file], path);
+    if (numbered) {
+        snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s", path,
+                 number % LINES_PER_FILE, length - skipped, line + skipped);
+    } else {
+        snprintf(message, MESSAGE_BYTES, "shader %s: %.*s", path, length, line);
+    }
+}
+
+// The shader, or 0 and the message.
+static GLuint compile_texts(GLenum type, ShaderFiles where,
+                            const char *const files[], int count,
+                            char *const texts[], char *message)
+{
+    // The line in front of a file numbers its lines so that they name the file
+    // too. (The number of the source string, meant for that, is lost by Mesa in
+    // most of its messages.)
+    char before[PROGRAM_MAX_FILES][24];
+    const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {
+        type == GL_COMPUTE_SHADER ? "#version 430 core\n"
+                                  : "#version 330 core\n",
+        where.constants == NULL ? "" : where.constants};
+    for (int i = 0; i < count; i++) {
+        snprintf(before[i], sizeof before[i], "\n#line %d\n",
+                 i * LINES_PER_FILE + 1);
+        sources[2 + 2 * i] = before[i];
+        sources[3 + 2 * i] = texts[i];
+    }
+    GLuint shader = glCreateShader(type);
+    glShaderSource(shader, 2 + 2 * count, sources, NULL);
+    glCompileShader(shader);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        char log[LOG_BYTES] = "";
+        glGetShaderInfoLog(shader, sizeof log, NULL, log);
+        explain_log(log, where, files, message);
+        glDeleteShader(shader);
+        return 0;
+    }
+    return shader;
+}
+
+static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
+                      char *message)
+{
+    char *texts[PROGRAM_MAX_FILES] = {NULL};
+    GLuint shader = 0;
+    int count = 0;
+    bool complete = true;
+    while (complete && files[count] != NULL) {
+        texts[count] = read_shader(where, files[count], message);
+        complete = texts[count++] != NULL;
+    }
+    if (complete) {
+        shader = compile_texts(type, where, files, count, texts, message);
+    }
+    for (int i = 0; i < count; i++) {
+        free(texts[i]);
+    }
+    return shader;
+}
+
+// The linked program, or 0 and the message, which blames the last shader's
+// files.
+static GLuint link_shaders(ShaderFiles where, int count, const GLuint shaders[],
+                           const char *const files[], char *message)
+{
+    GLuint id = glCreateProgram();
+    for (int i = 0; i < count; i++) {
+        glAttachShader(id, shaders[i]);
+    }
+    glLinkProgram(id);
+    for (int i = 0; i < count; i++) {
+        glDetachShader(id, shaders[i]);
+    }
+    GLint linked = GL_FALSE;
+    glGetProgramiv(id, GL_LINK_STATUS, &linked);
+    if (!linked) {
+        char log[LOG_BYTES] = "";
+        glGetProgramInfoLog(id, sizeof log, NULL, log);
+        explain_log(log, where, files, message);
+        glDeleteProgram(id);
+        return 0;
+    }
+    return id;
+}
+
+static GLuint build_compute(const Program *program, char *message)
+{
+    GLuint id = 0;
+    GLuint shader =
+        compile(program->where, GL_COMPUTE_SHADER, program->compute, message);
+    if (shader != 0) {
+        id =
+            link_shaders(program->where, 1, &shader, program->compute, message);
+    }
+    glDeleteShader(shader);
+    return id;
+}
+
+static GLuint build_drawing(const Program *program, char *message)
+{
+    const struct {
+        GLenum type;
+        const char *const *files;
+    } stages[] = {{GL_VERTEX_SHADER, program->vertex},
+                  {GL_FRAGMENT_SHADER, program->fragment},
+                  {GL_GEOMETRY_SHADER, program->geometry}};
+    int count = program->geometry[0] != NULL ? 3 : 2;
+    GLuint id = 0;
+    GLuint shaders[3] = {0};
+    bool compiled = true;
+    for (int i = 0; compiled && i < count; i++) {
+        shaders[i] =
+            compile(program->where, stages[i].type, stages[i].files, message);
+        compiled = shaders[i] != 0;
+    }
+    if (compiled) {
+        id = link_shaders(program->where, count, shaders, program->fragment,
+                          message);
+    }
+    for (int i = 0; i < count; i++) {
+        glDeleteShader(shaders[i]); // the name 0 is ignored
+    }
+    return id;
+}
+
+static GLuint build(const Program *program, char *message)
+{
+    return program->compute[0] != NULL ? build_compute(program, message)
+                                       : build_drawing(program, message);
+}
+
+static void copy_names(const char *const from[], const char *to[])
+{
+    int count = 0;
+    for (; from[count] != NULL; count++) {
+        if (count == PROGRAM_MAX_FILES) {
+            die("more than %d shader files", PROGRAM_MAX_FILES);
+        }
+        to[count] = from[count];
+    }
+    to[count] = NULL;
+}
+
+static void build_or_die(Program *program)
+{
+    char message[MESSAGE_BYTES];
+    program->id = build(program, message);
+    if (program->id == 0) {
+        die("%s", message);
+    }
+}
+
+Program gl_program(ShaderFiles where, const char *const vertex[],
+                   const char *const fragment[])
+{
+    Program program = {.where = where};
+    copy_names(vertex, program.vertex);
+    copy_names(fragment, program.fragment);
+    build_or_die(&program);
+    return program;
+}
+
+Program gl_program_of_triangles(ShaderFiles where, const char *const vertex[],
+                                const char *const geometry[],
+                                const char *const fragment[])
+{
+    Program program = {.where = where};
+    copy_names(vertex, program.vertex);
+    copy_names(geometry, program.geometry);
+    copy_names(fragment, program.fragment);
+    build_or_die(&program);
+    return program;
+}
+
+Program gl_compute_program(ShaderFiles where, const char *const files[])
+{
+    Program program = {.where = where};
+    copy_names(files, program.compute);
+    build_or_die(&program);
+    return program;
+}
+
+bool gl_program_reload(Program *program)
+{
+    char message[MESSAGE_BYTES];
+    if (program->id == 0) {
+        return true;
+    }
+    GLuint id = build(program, message);
+    if (id == 0) {
+        complain("%s", message);
+        return false;
+    }
+    glDeleteProgram(program->id);
+    program->id = id;
+    return true;
+}
+
+void gl_program_destroy(Program *program)
+{
+    glDeleteProgram(program->id); // the name 0 is ignored
+    *program = (Program){.id = 0};
+}

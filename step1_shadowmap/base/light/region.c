@@ -1,0 +1,96 @@
+#include "step1_shadowmap/base/light/region.h"
+
+#include <math.h> // fmax, fmin, sqrt, INFINITY
+#include <stdbool.h>
+
+#include "step1_shadowmap/base/scene/dvec.h"    // dvec_dot
+#include "step1_shadowmap/base/light/polygon.h" // polygon_clip
+#include "step1_shadowmap/base/light/volume.h"  // volume_object_box
+
+void vertex_relative(const Object *object, const double origin[3],
+                     size_t vertex, double position[3])
+{
+    const float *local = object->mesh->vertices[vertex].position;
+    for (int row = 0; row < 3; row++) {
+        const double *m = object->transform[row];
+        position[row] = m[0] * (double)local[0] + m[1] * (double)local[1] +
+                        m[2] * (double)local[2] + (m[3] - origin[row]);
+    }
+}
+
+void frame_coordinates(double axes[3][3], const double position[3],
+                       double result[3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        result[axis] = dvec_dot(axes[axis], position);
+    }
+}
+
+// Whether the range holds a point already, inside of the planes or not.
+static bool is_held(const Region *region, const double point[3])
+{
+    return point[2] >= region->low && point[2] <= region->high &&
+           dvec_dot(point, point) <= region->farthest * region->farthest;
+}
+
+// And with it all that is in a box.
+static bool holds_box(const Region *region, double axes[3][3],
+                      double corners[8][3])
+{
+    bool all = true;
+    for (int i = 0; i < 8 && all; i++) {
+        double point[3];
+        frame_coordinates(axes, corners[i], point);
+        all = is_held(region, point);
+    }
+    return all;
+}
+
+// Widens the region's range to the part of one triangle that is inside, in the
+// coordinates of the axes.
+static void include_triangle(Region *region, double axes[3][3],
+                             const Object *object, const double origin[3],
+                             const uint32_t corners[3])
+{
+    double polygon[POLYGON_MAX_CORNERS][3];
+    for (int k = 0; k < 3; k++) {
+        double relative[3];
+        vertex_relative(object, origin, corners[k], relative);
+        frame_coordinates(axes, relative, polygon[k]);
+    }
+    int count = 3;
+    if (is_held(region, polygon[0]) && is_held(region, polygon[1]) &&
+        is_held(region, polygon[2])) {
+        return;
+    }
+    for (int i = 0; i < 4; i++) {
+        count =
+            polygon_clip(polygon, count, region->normals[i], region->limits[i]);
+    }
+    for (int k = 0; k < count; k++) {
+        region->low = fmin(region->low, polygon[k][2]);
+        region->high = fmax(region->high, polygon[k][2]);
+        region->farthest =
+            fmax(region->farthest, sqrt(dvec_dot(polygon[k], polygon[k])));
+    }
+}
+
+void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
+                          const double origin[3])
+{
+    region->low = INFINITY;
+    region->high = -INFINITY;
+    region->farthest = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        const Object *object = &scene->objects[i];
+        double corners[8][3];
+        volume_object_box(object, origin, corners);
+        if (holds_box(region, axes, corners)) {
+            continue;
+        }
+        for (size_t k = 0; k < object->mesh->index_count; k += 3) {
+            include_triangle(region, axes, object, origin,
+                             object->mesh->indices + k);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+// What of the scene lies between four planes: how views are fitted.
+#ifndef BASE_REGION_H
+#define BASE_REGION_H
+
+#include "step1_shadowmap/base/scene/scene.h" // Object, Scene
+
+// Four half-spaces dot(normal, p) <= limit, and what is in them: the range
+// along the third axis, and how far from the origin it reaches.
+typedef struct Region {
+    double normals[4][3];
+    double limits[4];
+    double low, high;
+    double farthest;
+} Region;
+
+// Sets the range to that of the scene's triangles, as far as they are inside.
+// The coordinates are those of a position minus the origin along the axes. With
+// nothing inside, low is infinite and high is minus infinity.
+void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
+                          const double origin[3]);
+
+// A vertex of the object in world axes, minus the origin.
+void vertex_relative(const Object *object, const double origin[3],
+                     size_t vertex, double position[3]);
+
+// A position's coordinates along three axes.
+void frame_coordinates(double axes[3][3], const double position[3],
+                       double result[3]);
+
+#endif

@@ -1,0 +1,168 @@
+#include "step1_shadowmap/base/light/view.h"
+
+#include <math.h>   // fmax, fmin, sqrt, tan
+#include <stdio.h>  // snprintf
+#include <string.h> // memset
+
+#include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_frame, dvec_subtract
+#include "step1_shadowmap/base/light/light_view.h" // fit_directional, fit_point, ...
+#include "step1_shadowmap/base/light/region.h" // region_include_scene
+#include "step1_shadowmap/base/light/volume.h" // volume_misses
+
+// The near and far planes are fitted to what is in the picture: a depth buffer
+// has few digits left for surfaces that are far behind its near plane.
+static void fit_camera(Views *views, const Scene *scene, double aspect)
+{
+    const Camera *camera = &scene->camera;
+    double axes[3][3]; // right, up, forward
+    dvec_subtract(camera->target, camera->position, axes[2]);
+    dvec_normalize(axes[2]);
+    dvec_frame(axes[2], camera->up, axes[0], axes[1]);
+    double tall = tan(0.5 * camera->fov_y);
+    double wide = tall * aspect;
+    Region region = {
+        .normals = {
+            {1, 0, -wide}, {-1, 0, -wide}, {0, 1, -tall}, {0, -1, -tall}}};
+    region_include_scene(&region, axes, scene, views->origin);
+    double far = region.high > 0 ? 1.01 * region.high : 1;
+    double near = fmin(fmax(0.99 * region.low, 1e-6 * far), 0.5 * far);
+    for (int k = 0; k < 3; k++) {
+        views->clip_from_relative[0][k] = axes[0][k] / wide;
+        views->clip_from_relative[1][k] = axes[1][k] / tall;
+        views->clip_from_relative[2][k] =
+            axes[2][k] * (far + near) / (far - near);
+        views->clip_from_relative[3][k] = axes[2][k];
+    }
+    views->clip_from_relative[2][3] = -2 * far * near / (far - near);
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int greatest(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static void fit_light(Views *views, const Scene *scene, double aspect,
+                      int splits)
+{
+    switch (scene->light.kind) {
+    case LIGHT_DIRECTIONAL:
+        if (splits > 1) {
+            fit_splits(views, scene, aspect, splits);
+        } else {
+            fit_directional(views, scene);
+        }
+        break;
+    case LIGHT_SPOT:
+        fit_spot(views, scene);
+        break;
+    case LIGHT_POINT:
+        fit_point(views, scene);
+        break;
+    }
+}
+
+// What is outside by nothing at all is half a pixel from the next pixel's
+// middle, and a rasteriser moves corners by far less.
+static bool misses_picture(const Views *views, const Object *object)
+{
+    Volume picture = volume_of_picture(views);
+    double corners[8][3];
+    volume_object_box(object, views->origin, corners);
+    return volume_misses(&picture, corners);
+}
+
+static void cull(Views *views, const Scene *scene)
+{
+    DrawList *list = &views->seen;
+    int kept = 0;
+    for (int i = 0; i < list->count; i++) {
+        int object = list->objects[i];
+        if (!misses_picture(views, &scene->objects[object])) {
+            list->objects[kept++] = object;
+        }
+    }
+    list->count = kept;
+}
+
+// Of a light's views the facts know more: see facts_list_casters.
+static void list_objects(Views *views, const Scene *scene, bool all)
+{
+    draw_list_nearest_first(&views->seen, scene);
+    if (!all) {
+        cull(views, scene);
+    }
+    for (int layer = 0; layer < views->layers; layer++) {
+        draw_list_all(&views->light[layer].seen, scene);
+    }
+}
+
+void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
+               int reach)
+{
+    double aspect = (double)settings->size[0] / settings->size[1];
+    memset(views, 0, sizeof *views);
+    dvec_copy(scene->camera.position, views->origin);
+    fit_camera(views, scene, aspect);
+    views->width = settings->map_size[0];
+    views->height = settings->map_size[1];
+    int side = least(views->width, views->height);
+    views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
+    fit_light(views, scene, aspect, settings->splits);
+    list_objects(views, scene, settings->keep_all);
+}
+
+double view_light_depth(const Views *views, int layer, const double position[3])
+{
+    const double *row = views->light[layer].depth_from_relative;
+    double away[3];
+    dvec_subtract(position, views->light_position, away);
+    return dvec_dot(row, position) + row[3] +
+           views->depth_per_distance * sqrt(dvec_dot(away, away));
+}
+
+double view_light_steepest(const Views *views, int layer)
+{
+    const double *row = views->light[layer].depth_from_relative;
+    return sqrt(dvec_dot(row, row)) + views->depth_per_distance;
+}
+
+void view_set_matrix(GLuint program, const char *name,
+                     const double matrix[4][4])
+{
+    float rows[16];
+    for (int i = 0; i < 16; i++) {
+        rows[i] = (float)matrix[i / 4][i % 4];
+    }
+    glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_TRUE, rows);
+}
+
+static void set_vector(GLuint program, const char *name, const double vector[4])
+{
+    glUniform4f(glGetUniformLocation(program, name), (float)vector[0],
+                (float)vector[1], (float)vector[2], (float)vector[3]);
+}
+
+void view_set_light(GLuint program, const Views *views)
+{
+    set_vector(program, "light_position", views->light_position);
+    glUniform1f(glGetUniformLocation(program, "depth_per_distance"),
+                (float)views->depth_per_distance);
+    glUniform1i(glGetUniformLocation(program, "layers"),
+                views->layers); // where it is no constant
+    for (int layer = 0; layer < views->layers; layer++) {
+        const LightView *view = &views->light[layer];
+        char name[48];
+        snprintf(name, sizeof name, "map_from_relative[%d]", layer);
+        view_set_matrix(program, name, view->map_from_relative);
+        snprintf(name, sizeof name, "depth_from_relative[%d]", layer);
+        set_vector(program, name, view->depth_from_relative);
+        snprintf(name, sizeof name, "split_range[%d]", layer);
+        glUniform2f(glGetUniformLocation(program, name), (float)view->handover,
+                    (float)view->end);
+    }
+}

@@ -1,0 +1,331 @@
+#include "step1_shadowmap/base/run/settings.h"
+
+#include <stdio.h>  // snprintf, stdout
+#include <stdlib.h> // exit
+#include <string.h> // strcmp, strrchr
+
+#include "step1_shadowmap/base/system/die.h" // die_usage
+#include "step1_shadowmap/base/files/file.h" // file_is_directory, file_make_directory
+#include "step1_shadowmap/base/files/image.h"      // image_name_is_known
+#include "step1_shadowmap/base/system/printed.h"   // printed_check
+#include "step1_shadowmap/base/scene/scene.h"      // scene_create, scene_list
+#include "step1_shadowmap/base/system/stopwatch.h" // STOPWATCH_MAX_FRAMES
+
+enum { MAX_SIDE = 32768 };
+
+const Option base_options[] = {
+    {.name = "scene",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, scene),
+     .argument = "NAME[:key=value,...]",
+     .help = "the scene to draw"},
+    {.name = "light",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BaseSettings, light),
+     .choices = "directional,spot,point",
+     .help = "the kind of light, in place of the scene's own"},
+    {.name = "shadows",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BaseSettings, shadows),
+     .choices = "on,off",
+     .help = "off: the same frame without any map or lookup, to compare times"},
+    {.name = "splits",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BaseSettings, splits),
+     .minimum = 1,
+     .maximum = SETTINGS_MAX_SPLITS,
+     .argument = "N",
+     .help =
+         "parts of the view with a map each, of a directional light; 1: one "
+         "map, of everything that casts"},
+    {.name = "list-scenes",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, list_scenes),
+     .help = "print every scene with its keys, ranges and defaults"},
+    {.name = "size",
+     .kind = OPTION_EXTENT,
+     .offset = offsetof(BaseSettings, size),
+     .minimum = 1,
+     .maximum = MAX_SIDE,
+     .argument = "WxH",
+     .help = "the picture, in pixels"},
+    {.name = "map-size",
+     .kind = OPTION_SIDE,
+     .offset = offsetof(BaseSettings, map_size),
+     .minimum = 1,
+     .maximum = MAX_SIDE,
+     .argument = "N or WxH",
+     .help = "the shadow map, in texels"},
+    {.name = "output",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, output),
+     .argument = "FILE",
+     .help =
+         "the picture: .png (8-bit sRGB) or .exr (linear float); with --plan, "
+         "--bench or --dump none unless this names one"},
+    {.name = "show",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, show),
+     .argument = "WHAT",
+     .help =
+         "shaded, visibility (1 lit, 0 in shadow), depth, layer or plan (how "
+         "many lookups a pixel needed); from step 3 on also mean or "
+         "variance"},
+    {.name = "dump",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, dump),
+     .argument = "DIR",
+     .help = "write every intermediate map there, as float EXR"},
+    {.name = "shaders",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, shaders),
+     .argument = "DIR",
+     .help = "look for shader files there first (laid out as in the tree)"},
+    {.name = "window",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, window),
+     .help = "show the scene in a window; there, h prints the keys"},
+    {.name = "context",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(BaseSettings, context),
+     .choices = "osmesa",
+     .help = "where OpenGL draws without a window"},
+    {.name = "bench",
+     .kind = OPTION_INTEGER,
+     .offset = offsetof(BaseSettings, bench),
+     .minimum = 0,
+     .maximum = STOPWATCH_MAX_FRAMES - STOPWATCH_WARM_UP,
+     .argument = "N",
+     .help = "time N frames after a warm-up; prints each pass's times, and the "
+             "texels and bytes that it touches, as CSV"},
+    {.name = "move",
+     .kind = OPTION_TEXT,
+     .offset = offsetof(BaseSettings, move),
+     .argument = "NAME",
+     .help = "with --bench: from frame to frame the scene's objects of this "
+             "name rise by a hundredth of their height"},
+    {.name = "plan",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, plan),
+     .help = "print each pass, whether it is kept or left out, and why"},
+    {.name = "keep-all",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, keep_all),
+     .help = "leave nothing out: draw every map, all of it, in every frame"},
+    {.name = "redraw",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(BaseSettings, redraw),
+     .help = "draw what is kept of the maps in every frame, not only when "
+             "something has changed"},
+    {0},
+};
+
+static const ShowMode shows[] = {
+    {"shaded", "step1_shadowmap/shaders/show_shaded.glsl", NULL, NULL, false},
+    {"visibility", "step1_shadowmap/shaders/show_visibility.glsl", NULL, NULL,
+     false},
+    {"depth", "step1_shadowmap/shaders/show_depth.glsl",
+     "step1_shadowmap/shaders/scale_grey.glsl",
+     "0 near     depth from the light    1 far", false},
+    {"layer", "step1_shadowmap/shaders/show_layer.glsl",
+     "step1_shadowmap/shaders/scale_hue.glsl",
+     "0          layer of the map            7", false},
+    {"plan", "step1_shadowmap/shaders/show_plan.glsl",
+     "step1_shadowmap/shaders/scale_lookups.glsl",
+     "0          lookups in the map          2", false},
+    {NULL, NULL, NULL, NULL, false},
+};
+
+static const ShowMode *find_show(const ShowMode *list, const char *name)
+{
+    for (; list != NULL && list->name != NULL; list++) {
+        if (strcmp(list->name, name) == 0) {
+            return list;
+        }
+    }
+    return NULL;
+}
+
+const ShowMode *base_show_mode(const BaseSettings *settings)
+{
+    const ShowMode *mode = find_show(shows, settings->show);
+    if (mode == NULL) {
+        mode = find_show(settings->more_shows, settings->show);
+    }
+    if (mode == NULL) {
+        die_usage("--show '%s': allowed are shaded, visibility, depth, "
+                  "layer, plan%s",
+                  settings->show,
+                  settings->more_shows ? ", mean, variance" : "");
+    }
+    return mode;
+}
+
+void base_settings(BaseSettings *settings, const char *program,
+                   const ShowMode *more_shows)
+{
+    *settings = (BaseSettings){.program = program,
+                               .more_shows = more_shows,
+                               .scene = "teapot",
+                               .size = {1280, 720},
+                               .map_size = {512, 512},
+                               .output = settings->default_output,
+                               .show = "shaded",
+                               .shadows = "on",
+                               .splits = 1,
+                               .depth_shader =
+                                   "step1_shadowmap/shaders/linear_depth.glsl",
+                               .context = "osmesa"};
+    snprintf(settings->default_output, sizeof settings->default_output,
+             "out/%s.png", program);
+}
+
+static void check_window(const BaseSettings *settings)
+{
+    if (settings->dump != NULL) {
+        die_usage("--dump keeps one frame, --window draws many: drop --dump "
+                  "or --window");
+    }
+    if (settings->bench > 0) {
+        die_usage("--bench times frames that are all the same, in --window "
+                  "they change: drop --bench or --window");
+    }
+}
+
+// The further choices show what is in a map.
+static void check_shadows(const BaseSettings *settings)
+{
+    const ShowMode *mode = base_show_mode(settings);
+    if (!base_shadows(settings) &&
+        mode == find_show(settings->more_shows, settings->show)) {
+        die_usage("--show %s needs the map that --shadows off leaves out: drop "
+                  "one of them",
+                  settings->show);
+    }
+}
+
+void base_settings_check(const BaseSettings *settings)
+{
+    if (settings->list_scenes) {
+        scene_list(stdout);
+        printed_check();
+        exit(0);
+    }
+    check_shadows(settings);
+    if (settings->shaders != NULL && !file_is_directory(settings->shaders)) {
+        die_usage("--shaders '%s': there is no such directory",
+                  settings->shaders);
+    }
+    if (!image_name_is_known(settings->output)) {
+        die_usage("--output '%s': the name has to end in .png or .exr",
+                  settings->output);
+    }
+    if (settings->window) {
+        check_window(settings);
+    }
+}
+
+static void rise(Object *object)
+{
+    double *row = object->transform[1];
+    row[3] +=
+        0.01 * row[1] * (double)(object->mesh->high[1] - object->mesh->low[1]);
+}
+
+// Returns how many objects have the name.
+static int move_objects(Scene *scene, const char *name, bool up)
+{
+    int count = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        if (strcmp(scene->objects[i].name, name) == 0) {
+            count++;
+            if (up) {
+                rise(&scene->objects[i]);
+            }
+        }
+    }
+    return count;
+}
+
+static void check_move(const BaseSettings *settings, Scene *scene)
+{
+    if (settings->move == NULL) {
+        return;
+    }
+    if (settings->bench == 0) {
+        die_usage("--move %s is from frame to frame: add --bench, or drop "
+                  "--move",
+                  settings->move);
+    }
+    if (move_objects(scene, settings->move, false) == 0) {
+        die_usage("--move '%s': no object of scene %s has that name; one is "
+                  "'%s'",
+                  settings->move, scene->name,
+                  scene->objects[scene->object_count - 1].name);
+    }
+}
+
+void base_create_scene(const BaseSettings *settings, Scene *scene)
+{
+    scene_create(scene, settings->scene, settings->light);
+    check_move(settings, scene);
+    LightKind kind = scene->light.kind;
+    if (settings->splits > 1 && kind != LIGHT_DIRECTIONAL) {
+        die_usage("--splits %d are of a directional light, and this one is a "
+                  "%s light: drop --splits, or say --light directional",
+                  settings->splits, light_kind_name(kind));
+    }
+}
+
+// Of the default output, which is in one.
+static void make_output_directory(const char *output)
+{
+    char directory[FILE_NAME_BYTES];
+    snprintf(directory, sizeof directory, "%.*s",
+             (int)(strrchr(output, '/') - output), output);
+    file_make_directory(directory);
+}
+
+void base_prepare_files(BaseSettings *settings, const OptionTable tables[])
+{
+    bool other =
+        settings->dump != NULL || settings->bench > 0 || settings->plan;
+    if (settings->dump != NULL) {
+        file_make_directory(settings->dump);
+    }
+    if (options_given(tables, "output")) {
+        return;
+    }
+    if (other && !settings->window) {
+        settings->output = NULL;
+    } else {
+        make_output_directory(settings->output);
+    }
+}
+
+void base_say_written(const BaseSettings *settings, const char *path,
+                      const char *ending)
+{
+    FILE *where = settings->bench > 0 || settings->plan ? stderr : stdout;
+    fprintf(where, "wrote %s%s\n", path, ending);
+    printed_check();
+}
+
+bool base_shadows(const BaseSettings *settings)
+{
+    return strcmp(settings->shadows, "on") == 0;
+}
+
+bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame)
+{
+    int frames = settings->bench > 0 ? settings->bench + STOPWATCH_WARM_UP : 1;
+    if (settings->move != NULL && frame > 0 && frame < frames) {
+        move_objects(scene, settings->move, true);
+    }
+    return frame < frames;
+}
+
+ShaderFiles base_shader_files(const BaseSettings *settings)
+{
+    return (ShaderFiles){settings->shaders, settings->constants};
+}

@@ -1,0 +1,81 @@
+// The options that every step has.
+#ifndef BASE_SETTINGS_H
+#define BASE_SETTINGS_H
+
+#include <stdbool.h>
+
+#include "step1_shadowmap/base/gl/gl.h"          // ShaderFiles
+#include "step1_shadowmap/base/picture/legend.h" // ShowMode
+#include "step1_shadowmap/base/system/options.h" // Option
+#include "step1_shadowmap/base/scene/scene.h"    // Scene
+
+enum { SETTINGS_MAX_SPLITS = 8 };
+
+typedef struct BaseSettings {
+    const char *program; // stepN_what
+    const char *scene;
+    const char *light; // a kind, or NULL: the scene's own
+    bool list_scenes;
+    int size[2];             // of the picture, pixels
+    int map_size[2];         // of the shadow map, texels
+    const char *output;      // file, or NULL
+    char default_output[32]; // that file if no option says otherwise
+    const char *show;
+    const ShowMode *more_shows; // what the step adds to the choices, or NULL
+    const char *dump;           // directory, or NULL
+    const char *shaders;        // directory, or NULL
+    const char *constants;      // GLSL in front of every shader, or NULL
+    bool window;
+    const char *context;
+    const char *shadows;      // on or off
+    int splits;               // views of a directional light
+    const char *depth_shader; // the formula of t, for map and picture
+    int bench;                // frames to time, or 0
+    const char *move;         // objects that move between frames, or NULL
+    bool plan;                // print what is left out, and why
+    bool keep_all;            // leave nothing out
+    bool redraw;              // draw the map in every frame
+} BaseSettings;
+
+extern const Option base_options[];
+
+// The defaults of a program (stepN_what), which writes out/stepN_what.png if no
+// option says otherwise.
+// `more_shows` are choices of --show besides the five that every step has; the
+// list ends with a NULL name.
+void base_settings(BaseSettings *settings, const char *program,
+                   const ShowMode *more_shows);
+
+// The choice that --show names; refuses (status 2) any other name.
+const ShowMode *base_show_mode(const BaseSettings *settings);
+
+// Answers --list-scenes (and exits with 0), refuses an output name with an
+// unknown ending and what a window cannot do (status 2). To be called after
+// options_parse.
+void base_settings_check(const BaseSettings *settings);
+
+// Builds the scene of --scene and --light. Refuses (status 2) splits of a light
+// that is not parallel, and to move what it does not have.
+void base_create_scene(const BaseSettings *settings, Scene *scene);
+
+// Makes the directories of the default output and of --dump, once everything
+// that could be wrong with the options has been looked at. --plan, --bench and
+// --dump ask for something else than a picture: then there is an output only
+// where --output names it, else it is NULL from here on.
+void base_prepare_files(BaseSettings *settings, const OptionTable tables[]);
+
+// Says that this file was written, or directory (`ending` "/"): on stdout, or
+// on stderr where stdout is for what --bench and --plan print.
+void base_say_written(const BaseSettings *settings, const char *path,
+                      const char *ending);
+
+// Whether there are shadows: without, no map is made.
+bool base_shadows(const BaseSettings *settings);
+
+// Whether there is a frame of this number, from 0: one, or those to time and
+// the warm-up before them. Moves for it what --move names.
+bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame);
+
+ShaderFiles base_shader_files(const BaseSettings *settings);
+
+#endif
