@@ -9,9 +9,8 @@ const Option moments_options[] = {
     {.name = "format",
      .kind = OPTION_CHOICE,
      .offset = offsetof(MomentsSettings, format),
-     .choices = "rg32f,rg16f,auto",
-     .help = "what the two moments are stored in: 32 or 16 bit floats; auto: "
-             "16 where that provably moves no visibility by 1/255"},
+     .choices = "rg32f,rg16f",
+     .help = "what the two moments are stored in: 32 or 16 bit floats"},
     {.name = "moments",
      .kind = OPTION_CHOICE,
      .offset = offsetof(MomentsSettings, moments),
@@ -96,21 +95,6 @@ const char *moments_depth_shader(const MomentsSettings *settings)
 GLenum moments_format(const MomentsSettings *settings)
 {
     return strcmp(settings->format, "rg16f") == 0 ? GL_RG16F : GL_RG32F;
-}
-
-void moments_choose_format(MomentsSettings *settings, Facts *facts,
-                           double error, const char *why)
-{
-    if (strcmp(settings->format, "auto") == 0) {
-        bool half = error < 1.0 / 255;
-        settings->format = half ? "rg16f" : "rg32f";
-        plan_add(&facts->plan, "16-bit moments", -1, half, 0, 0, "%s", why);
-    }
-}
-
-void moments_compare_exactly(MomentsSettings *settings, Facts *facts)
-{
-    moments_choose_format(settings, facts, 1, "a comparison turns at once");
 }
 
 bool moments_are_central(const MomentsSettings *settings)

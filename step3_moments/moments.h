@@ -11,7 +11,7 @@
 #include <stdbool.h>
 
 typedef struct MomentsSettings {
-    const char *format;     // rg32f, rg16f; or auto, until it is chosen
+    const char *format;     // rg32f or rg16f
     const char *moments;    // raw or central
     const char *depth;      // linear or projected
     bool slope_term;        // the depth's slope across a texel goes into M2
@@ -50,15 +50,6 @@ const char *moments_between_shader(const MomentsSettings *settings);
 
 // The OpenGL format that the moments are stored in.
 GLenum moments_format(const MomentsSettings *settings);
-
-// Settles --format auto: 16 bits, if they move no visibility by more than
-// `error`, which is less than 1/255. `why` is for --plan.
-void moments_choose_format(MomentsSettings *settings, Facts *facts,
-                           double error, const char *why);
-
-// Of the steps that compare: where two depths are equal nearly, any rounding
-// turns a pixel from lit to dark.
-void moments_compare_exactly(MomentsSettings *settings, Facts *facts);
 
 // A shadow map of two channels, M1 = t and M2 = t^2 or (central) t and 0, and
 // with the slope term the variance of t across the texel added to the second.

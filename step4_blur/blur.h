@@ -108,10 +108,10 @@ typedef struct BlurPlan {
     Rect levels[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS];
 } BlurPlan;
 
-// bias_plan of the blurred map's means, where each is about its own place; and
-// the format of what is compared.
+// bias_plan of the blurred map's means, where each is about its own place.
 void blur_plan_bias(const BiasSettings *bias, Facts *facts,
-                    const BlurSettings *settings, MomentsSettings *moments);
+                    const BlurSettings *settings,
+                    const MomentsSettings *moments);
 
 // Decides from the last pass back to the first, each wider by what the one
 // after it reads around it, and then what is drawn of the moments (see

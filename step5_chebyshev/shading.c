@@ -7,7 +7,6 @@
 #include "step1_shadowmap/shadow_map.h"          // bias_apply
 #include "step5_chebyshev/deferred.h"            // deferred_source
 #include "step5_chebyshev/guard_settings.h"      // guard_of_settings
-#include "step5_chebyshev/half.h"                // half_choose
 
 const Option shading_options[] = {
     {.name = "deferred",
@@ -193,7 +192,6 @@ void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
         facts_drop_lookups(facts, "one plane alone, which varies too much to "
                                   "shadow itself");
     }
-    half_choose(settings, facts);
     blur_plan_decide(plan, facts, &settings->blur, &settings->moments);
     plan_add(&facts->plan, "G-buffer", -1, settings->deferred, 0, 0, "%s",
              settings->deferred ? "--deferred"

@@ -793,17 +793,6 @@ my %mutants = (
         'looked_up', 'step1_shadowmap/shaders/unshadowed.glsl',
         'lookups = 0;', ''
     ],
-    'the error of 16 bits whatever is how far apart' => [
-        'format', 'step5_chebyshev/half.c', '/ (gap - 2 * stored)', ''
-    ],
-    'the nearest of the surfaces forgotten' => [
-        'format', 'step5_chebyshev/half.c', 'i = 1; i < list->count',
-        'i = 2; i < list->count'
-    ],
-    'surfaces that lean are taken for upright' => [
-        'format', 'step5_chebyshev/half.c', 'return high - low < SAME',
-        'return high - low < 2'
-    ],
     'a bias may push receivers behind what is left out' => [
         'plan', 'step1_shadowmap/shadow_map.c', 'settings->constant >= 0 &&',
         ''

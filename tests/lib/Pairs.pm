@@ -23,7 +23,7 @@ my @BASE = (
 my @BIAS    = ( '--bias 0', '--slope-bias 0' );
 my @COMPARE = ( '--kernel 9', '--bilinear', '--pattern poisson', '--adaptive' );
 my @MOMENTS = (
-    '--format rg16f', '--format auto', '--moments raw', '--moments central',
+    '--format rg16f', '--moments raw', '--moments central',
     '--depth projected', '--slope-term',
     '--slope-term --slope-from derivatives',
     '--msaa 4',

@@ -314,11 +314,6 @@ our $NOT_MEASURED = [
         '--moments central, --format rg32f',
         'they are what step 5 does by itself: the points without raw or fp16'
     ],
-    [
-        '--format auto',
-        'it is one of the two formats, and --plan says which; the points with '
-          . 'and without fp16 are what it costs and gains'
-    ],
     [ '--show',  'it shows a map or a plan, and is no technique' ],
     [ '--light', 'stage has a spot light and room a point light of their own' ],
     [

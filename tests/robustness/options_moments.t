@@ -14,9 +14,9 @@ chdir tempdir( CLEANUP => 1 ) or die "cannot work in a temporary folder\n";
 my %OPTIONS = (
     format => {
         steps   => [ 3 .. 5 ],
-        same    => [qw(rg32f auto)],
+        same    => ['rg32f'],
         check   => \&check_format,
-        bad     => [ 'rg8', '' ],
+        bad     => [ 'rg8', 'auto', '' ],
         allowed => qr/rg32f/,
     },
     depth => {
