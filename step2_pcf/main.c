@@ -1,142 +1,59 @@
 // Step 2: percentage-closer filtering. The map is step 1's; each point of the
 // picture compares itself with n x n of its texels and averages the answers.
 
-#include "step1_shadowmap/base/gl/context.h"         // context_create
-#include "step1_shadowmap/base/picture/dump.h"       // dump_run
-#include "step1_shadowmap/base/leave_out/facts.h"    // facts_collect
-#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw
-#include "step1_shadowmap/base/run/settings.h"       // base_settings
-#include "step1_shadowmap/base/system/stopwatch.h"   // stopwatch_lap
-#include "step1_shadowmap/base/run/window.h"         // window_next, window_show
-#include "step1_shadowmap/shadow_map.h"              // shadow_map_draw
-#include "step2_pcf/pcf.h"                           // pcf_apply
+#include "step1_shadowmap/base/run/run.h" // run_next
+#include "step1_shadowmap/shadow_map.h"   // shadow_map_draw
+#include "step2_pcf/pcf.h"                // pcf_shaders
 
 static struct {
-    BaseSettings base;
+    Run run;
     BiasSettings bias;
     PcfSettings pcf;
-    OptionTable options[4];
-    Context context;
-    Scene scene;
-    Views views;
-    Facts facts;
-    MapPlan plan;
-    Geometry geometry;
     ShadowMap map;
-    SceneDraw picture;
-    Stopwatch stopwatch;
-    Window window;
+    Picture picture;
 } state;
 
-static void read_settings(int argc, char **argv)
+static void read_options(int argc, char **argv)
 {
-    base_settings(&state.base, "step2_pcf", NULL);
     state.bias = bias_settings();
     state.pcf = pcf_settings();
-    state.options[0] = options_table(base_options, &state.base);
-    state.options[1] = options_table(bias_options, &state.bias);
-    state.options[2] = options_table(pcf_options, &state.pcf);
-    options_parse(argc, argv, state.options);
+    const OptionTable tables[] = {options_table(bias_options, &state.bias),
+                                  options_table(pcf_options, &state.pcf),
+                                  {0}};
+    run_options(&state.run, argc, argv, 2, "step2_pcf", NULL, tables);
     pcf_settings_check(&state.pcf);
-    base_settings_check(&state.base);
 }
 
-// Where the light sees the scene from, and what the picture needs of that.
-static void look(void)
+static void create(Frame *frame)
 {
-    if (facts_collect(&state.facts, &state.scene, &state.views, &state.base,
-                      pcf_reach(&state.pcf))) {
-        pcf_plan(&state.pcf, &state.bias, &state.facts);
-        map_plan_decide_within(&state.plan, &state.facts, pcf_reach(&state.pcf),
-                               "depth", GL_R32F);
-    }
-}
-
-static void create(void)
-{
-    const char *const fill[] = {state.base.depth_shader,
-                                "step1_shadowmap/shaders/depth.frag", NULL};
     const char *visibility[PCF_MAX_SHADERS];
+    run_begin(&state.run);
+    frame->lookups = pcf_lookups(&state.pcf, &state.bias);
+    run_look(&state.run);
+    shadow_map_create(&state.map, frame, frame->lookups.reach);
     pcf_shaders(&state.pcf, visibility);
-    state.base.constants = pcf_constants(&state.pcf);
-    base_create_scene(&state.base, &state.scene);
-    state.context = context_create(state.base.window, state.base.size);
-    look();
-    state.geometry = geometry_create(&state.scene);
-    if (facts_make_maps(&state.facts)) {
-        state.map = shadow_map_create(
-            shadow_map_program(base_shader_files(&state.base), fill),
-            &state.views, GL_R32F, shadow_map_depths);
-    }
-    state.picture = scene_draw_create(&state.base, &state.facts, visibility);
-    plan_print(&state.facts.plan, state.base.plan);
+    picture_create(&state.picture, frame, &state.map.target,
+                   pcf_constants(&state.pcf), visibility);
 }
 
-static void draw_frame(void)
+static void draw(Frame *frame)
 {
-    stopwatch_start(&state.stopwatch);
-    look();
-    if (map_plan_begin(&state.plan)) {
-        shadow_map_draw(&state.map, &state.geometry, &state.plan);
-        stopwatch_lap(&state.stopwatch, "depth", state.map.touched);
-    }
-    bias_apply(&state.bias, state.picture.program.id);
-    scene_draw(&state.picture, &state.scene, &state.geometry, &state.views,
-               state.map.texture);
-    stopwatch_lap(&state.stopwatch, "shading", state.picture.touched);
-}
-
-static void write_files(void)
-{
-    if (state.base.dump != NULL) {
-        scene_draw_dump(&state.picture, state.base.dump);
-        dump_run(&(Run){state.options, &state.facts, &state.stopwatch,
-                        state.map.bytes});
-        shadow_map_dump(&state.map, &state.geometry, &state.plan,
-                        state.base.dump);
-    }
-    scene_draw_write(&state.picture, &state.base);
-    stopwatch_print(&state.stopwatch, state.base.bench);
-}
-
-static void run_window(void)
-{
-    state.window = window_create(&state.context, &state.base,
-                                 "step 2, kernel %d", state.pcf.kernel);
-    while (window_next(&state.window, &state.scene.camera)) {
-        if (state.window.reload) {
-            bool compiled = shadow_map_reload(&state.map, &state.plan) &&
-                            scene_draw_reload(&state.picture);
-            window_reload(&state.window, compiled);
-        }
-        draw_frame();
-        window_show(&state.window, &state.picture, &state.stopwatch);
-    }
-    window_destroy(&state.window);
-}
-
-static void destroy(void)
-{
-    scene_draw_destroy(&state.picture);
-    shadow_map_destroy(&state.map);
-    geometry_destroy(&state.geometry);
-    context_destroy(&state.context);
-    scene_destroy(&state.scene);
+    shadow_map_draw(&state.map, frame);
+    frame_lap(frame, "depth");
+    bias_apply(&state.bias, picture_begin(&state.picture, frame));
+    picture_draw(&state.picture, frame);
+    frame_lap(frame, "shading");
 }
 
 int main(int argc, char **argv)
 {
-    read_settings(argc, argv);
-    create();
-    for (int i = 0; base_next_frame(&state.base, &state.scene, i); i++) {
-        draw_frame();
+    Frame *frame = &state.run.frame;
+    read_options(argc, argv);
+    create(frame);
+    while (run_next(&state.run, &state.picture, "step 2, kernel %d",
+                    state.pcf.kernel)) {
+        draw(frame);
     }
-    base_prepare_files(&state.base, state.options);
-    if (state.base.window) {
-        run_window();
-    } else {
-        write_files();
-    }
-    destroy();
+    run_end(&state.run);
     return 0;
 }

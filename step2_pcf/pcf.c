@@ -3,8 +3,8 @@
 #include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/system/die.h"         // die_usage
-#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw_footprint
+#include "step1_shadowmap/base/system/die.h"      // die_usage
+#include "step1_shadowmap/base/picture/picture.h" // picture_footprint
 
 const Option pcf_options[] = {
     {.name = "kernel",
@@ -56,7 +56,7 @@ void pcf_shaders(const PcfSettings *settings, const char *files[])
     *files++ = "step1_shadowmap/shaders/bias.glsl";
     *files++ = "step2_pcf/shaders/map_depth.glsl";
     if (settings->adaptive) {
-        *files++ = scene_draw_footprint;
+        *files++ = picture_footprint;
         *files++ = "step1_shadowmap/shaders/ellipse.glsl";
         *files++ = "step2_pcf/shaders/width_adaptive.glsl";
     } else {
@@ -72,18 +72,14 @@ void pcf_shaders(const PcfSettings *settings, const char *files[])
     *files = NULL;
 }
 
-int pcf_reach(const PcfSettings *settings)
+Lookups pcf_lookups(const PcfSettings *settings, const BiasSettings *bias)
 {
-    return settings->kernel / 2 + 1;
-}
-
-void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
-              Facts *facts)
-{
-    if (!uses_disc(settings) && !settings->bilinear && !settings->adaptive) {
-        bias_plan(bias, facts, settings->kernel, GL_R32F);
-    }
-    bias_plan_behind(bias, facts);
+    bool grid =
+        !uses_disc(settings) && !settings->bilinear && !settings->adaptive;
+    Lookups lookups = bias_lookups(bias, settings->kernel / 2 + 1,
+                                   grid ? settings->kernel : 0, GL_R32F);
+    lookups.compares = true;
+    return lookups;
 }
 
 const char *pcf_constants(PcfSettings *settings)

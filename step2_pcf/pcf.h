@@ -26,13 +26,9 @@ enum { PCF_MAX_SHADERS = 9 };
 // PCF_MAX_SHADERS with the NULL at the end.
 void pcf_shaders(const PcfSettings *settings, const char *files[]);
 
-// How many texels the filter reads to each side of the receiver's own.
-int pcf_reach(const PcfSettings *settings);
-
-// bias_plan of a full grid of taps, for no other pattern is known to keep a
-// plane lit; bias_plan_behind of any.
-void pcf_plan(const PcfSettings *settings, const BiasSettings *bias,
-              Facts *facts);
+// The picture's lookups: of a full grid of taps a kernel, for no other pattern
+// is known to keep a lone plane lit.
+Lookups pcf_lookups(const PcfSettings *settings, const BiasSettings *bias);
 
 // What these files take for a constant: the kernel. A loop whose length is
 // known when it is compiled takes half the time (measured). Valid as long as

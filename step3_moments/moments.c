@@ -2,8 +2,8 @@
 
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/system/die.h"   // die_usage
-#include "step1_shadowmap/base/picture/dump.h" // dump_layers
+#include "step1_shadowmap/base/system/die.h" // die_usage
+#include "step3_moments/multisample.h"       // multisample_draw_layer
 
 const Option moments_options[] = {
     {.name = "format",
@@ -138,25 +138,25 @@ static const char *place_in(const MomentsSettings *settings)
                               : "step3_moments/shaders/centre_in.glsl";
 }
 
-static Program map_program(ShaderFiles files, const MomentsSettings *settings,
-                           const char *const fragment[])
+static Program *map_program(Shaders *shaders, const MomentsSettings *settings,
+                            const char *const fragment[])
 {
     const char *const vertex[] = {place_out(settings),
                                   "step1_shadowmap/shaders/map.vert", NULL};
-    return gl_program(files, vertex, fragment);
+    return gl_program(shaders, NULL, vertex, fragment);
 }
 
-static Program raw_program(ShaderFiles files, const MomentsSettings *settings)
+static Program *raw_program(Shaders *shaders, const MomentsSettings *settings)
 {
     const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
                                     moments_depth_shader(settings),
                                     place_in(settings),
                                     "step3_moments/shaders/moments.frag", NULL};
-    return map_program(files, settings, fragment);
+    return map_program(shaders, settings, fragment);
 }
 
-static Program central_program(ShaderFiles files,
-                               const MomentsSettings *settings)
+static Program *central_program(Shaders *shaders,
+                                const MomentsSettings *settings)
 {
     const char *const fragment[] = {
         "step1_shadowmap/shaders/light_depth.glsl",
@@ -166,11 +166,11 @@ static Program central_program(ShaderFiles files,
         moments_store_shader(settings),
         "step3_moments/shaders/moments_central.frag",
         NULL};
-    return map_program(files, settings, fragment);
+    return map_program(shaders, settings, fragment);
 }
 
-static Program derivatives_program(ShaderFiles files,
-                                   const MomentsSettings *settings)
+static Program *derivatives_program(Shaders *shaders,
+                                    const MomentsSettings *settings)
 {
     const char *const fragment[] = {
         "step1_shadowmap/shaders/light_depth.glsl",
@@ -181,11 +181,11 @@ static Program derivatives_program(ShaderFiles files,
         moments_store_shader(settings),
         "step3_moments/shaders/moments_slope.frag",
         NULL};
-    return map_program(files, settings, fragment);
+    return map_program(shaders, settings, fragment);
 }
 
 // Only a geometry shader sees a whole triangle.
-static Program plane_program(ShaderFiles files, const MomentsSettings *settings)
+static Program *plane_program(Shaders *shaders, const MomentsSettings *settings)
 {
     const char *const vertex[] = {"step3_moments/shaders/corner_out.glsl",
                                   "step1_shadowmap/shaders/map.vert", NULL};
@@ -200,89 +200,56 @@ static Program plane_program(ShaderFiles files, const MomentsSettings *settings)
                                     moments_store_shader(settings),
                                     "step3_moments/shaders/moments_slope.frag",
                                     NULL};
-    return gl_program_of_triangles(files, vertex, geometry, fragment);
+    return gl_program_of_triangles(shaders, NULL, vertex, geometry, fragment);
 }
 
-static Program create_program(ShaderFiles files,
-                              const MomentsSettings *settings)
-{
-    if (!settings->slope_term) {
-        return moments_are_central(settings) ? central_program(files, settings)
-                                             : raw_program(files, settings);
-    }
-    return strcmp(settings->slope_from, "plane") == 0
-               ? plane_program(files, settings)
-               : derivatives_program(files, settings);
-}
-
-static Program resolve_program(ShaderFiles files,
+static Program *create_program(Shaders *shaders,
                                const MomentsSettings *settings)
 {
-    const char *const vertex[] = {"step1_shadowmap/shaders/fullscreen.vert",
-                                  NULL};
-    const char *const fragment[] = {moments_merge_shader(settings),
-                                    moments_store_shader(settings),
-                                    "step3_moments/shaders/resolve.frag", NULL};
-    return gl_program(files, vertex, fragment);
+    if (!settings->slope_term) {
+        return moments_are_central(settings)
+                   ? central_program(shaders, settings)
+                   : raw_program(shaders, settings);
+    }
+    return strcmp(settings->slope_from, "plane") == 0
+               ? plane_program(shaders, settings)
+               : derivatives_program(shaders, settings);
 }
 
 // Raw moments may be averaged by the texture unit. Far depth does not vary.
-static Sampling moments_sampling(const MomentsSettings *settings)
+Sampling moments_sampling(const MomentsSettings *settings)
 {
     return moments_are_central(settings) ? (Sampling){GL_NEAREST, {1, 0, 1, 1}}
                                          : (Sampling){GL_LINEAR, {1, 1, 1, 1}};
 }
 
-MomentsMap moments_create(ShaderFiles files, const Views *views,
-                          const MomentsSettings *settings)
+void moments_create(Moments *moments, Frame *frame,
+                    const MomentsSettings *settings, int looked_up)
 {
-    GLenum format = moments_format(settings);
-    MomentsMap map = {
-        .settings = settings,
-        .texels = shadow_map_create(create_program(files, settings), views,
-                                    format, moments_sampling(settings))};
+    moments->settings = settings;
+    moments->program = create_program(&frame->shaders, settings);
+    moments->target = frame_map(frame, "moments", moments_format(settings),
+                                moments_sampling(settings));
+    moments->target.file = "moments";
+    moments->target.depth = settings->msaa == 1;
+    moments->target.looked_up = looked_up;
     if (settings->msaa > 1) {
-        map.samples =
-            multisample_create(resolve_program(files, settings), settings->msaa,
-                               format, views->width, views->height);
+        multisample_create(moments, frame);
     }
-    map.bytes = map.texels.bytes + map.samples.bytes;
-    return map;
+    target_add(&frame->targets, &moments->target);
 }
 
-void moments_draw(MomentsMap *map, const Geometry *geometry,
-                  const MapPlan *plan)
+void moments_draw(Moments *moments, const Frame *frame)
 {
-    if (map->samples.samples > 0) {
-        map->touched =
-            multisample_draw(&map->samples, &map->texels, geometry, plan);
-    } else {
-        shadow_map_draw(&map->texels, geometry, plan);
-        map->touched = map->texels.touched;
+    for (int layer = 0; layer < moments->target.layers; layer++) {
+        if (moments->settings->msaa > 1) {
+            multisample_draw_layer(moments, frame, layer);
+        } else {
+            shadow_map_draw_layer(&moments->target, moments->program, frame,
+                                  layer);
+        }
     }
-}
-
-void moments_dump(MomentsMap *map, const Geometry *geometry,
-                  const MapPlan *plan, const char *directory)
-{
-    const ShadowMap *texels = &map->texels;
-    MapPlan whole = map_plan_whole(plan);
-    moments_draw(map, geometry, &whole);
-    dump_layers(directory, "moments", texels->texture, texels->width,
-                texels->height, texels->layers, texels->channels);
-    if (map->samples.samples > 0) {
-        multisample_dump(&map->samples, texels, geometry, &whole, directory);
+    if (moments->settings->msaa > 1 && frame->dump != NULL) {
+        multisample_dump_positions(moments, frame->dump);
     }
-}
-
-bool moments_reload(MomentsMap *map, MapPlan *plan)
-{
-    return shadow_map_reload(&map->texels, plan) &&
-           multisample_reload(&map->samples);
-}
-
-void moments_destroy(MomentsMap *map)
-{
-    multisample_destroy(&map->samples);
-    shadow_map_destroy(&map->texels);
 }

@@ -2,13 +2,9 @@
 #ifndef STEP3_MOMENTS_H
 #define STEP3_MOMENTS_H
 
-#include "step1_shadowmap/base/picture/legend.h" // ShowMode
-#include "step1_shadowmap/base/system/options.h" // Option
-#include "step1_shadowmap/base/run/settings.h"   // BaseSettings
-#include "step1_shadowmap/shadow_map.h"          // ShadowMap
-#include "step3_moments/multisample.h"           // Multisample
-
 #include <stdbool.h>
+
+#include "step1_shadowmap/shadow_map.h" // shadow_map_draw_layer
 
 typedef struct MomentsSettings {
     const char *format;     // rg32f or rg16f
@@ -54,31 +50,22 @@ GLenum moments_format(const MomentsSettings *settings);
 // A shadow map of two channels, M1 = t and M2 = t^2 or (central) t and 0, and
 // with the slope term the variance of t across the texel added to the second.
 // It is looked up bilinearly: unlike depths, moments may be averaged.
-typedef struct MomentsMap {
+typedef struct Moments {
     const MomentsSettings *settings;
-    ShadowMap texels;    // what the next stage reads
-    Multisample samples; // with --msaa: what the texels are averages of
-    size_t bytes;        // of both
-    Touched touched;     // by the last moments_draw
-} MomentsMap;
+    Target target;
+    Program *program;
+    Target samples; // with --msaa: what the texels are averages of
+    Program *resolve;
+} Moments;
 
+// `looked_up`: how many texels the picture itself reads to each side, or 0.
 // Keeps the pointer to the settings.
-MomentsMap moments_create(ShaderFiles files, const Views *views,
-                          const MomentsSettings *settings);
+void moments_create(Moments *moments, Frame *frame,
+                    const MomentsSettings *settings, int looked_up);
 
-// Draws what the plan says of each layer; see shadow_map_draw.
-void moments_draw(MomentsMap *map, const Geometry *geometry,
-                  const MapPlan *plan);
+void moments_draw(Moments *moments, const Frame *frame);
 
-// Draws every layer whole, for the picture may have needed less, and writes
-// layer L as directory/moments.L.exr, and with --msaa what multisample_dump
-// writes, for which the scene is drawn again.
-void moments_dump(MomentsMap *map, const Geometry *geometry,
-                  const MapPlan *plan, const char *directory);
-
-// Compiles the shaders again, see shadow_map_reload.
-bool moments_reload(MomentsMap *map, MapPlan *plan);
-
-void moments_destroy(MomentsMap *map);
+// How a filtered map is looked up, between its texels and outside.
+Sampling moments_sampling(const MomentsSettings *settings);
 
 #endif

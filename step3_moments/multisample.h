@@ -2,40 +2,19 @@
 #ifndef STEP3_MULTISAMPLE_H
 #define STEP3_MULTISAMPLE_H
 
-#include "step1_shadowmap/shadow_map.h" // ShadowMap
+#include "step3_moments/moments.h" // Moments
 
-// What one layer of a map is drawn into, before it is resolved.
-typedef struct Multisample {
-    Program resolve;
-    GLuint texture; // of one layer, `samples` per texel
-    GLuint depth_buffer;
-    GLuint framebuffer;
-    GLuint empty_vao;
-    GLenum format;
-    int samples; // per texel; 0: none of this exists
-    size_t bytes;
-} Multisample;
+// Adds the target of the samples, which that of the moments reads. When it is
+// drawn, a number of samples that this driver does not have is refused (status
+// 2).
+void multisample_create(Moments *moments, Frame *frame);
 
-// For maps of this size and format, resolved by the program, which it owns from
-// here on: resolve.frag behind a merge and a store shader (see moments.h).
-// Refuses (status 2) a number of samples that this driver does not have.
-Multisample multisample_create(Program resolve, int samples, GLenum format,
-                               int width, int height);
+// Draws the samples of a layer, and their moments. With --dump it writes sample
+// S of layer L as samples.L.S.exr.
+void multisample_draw_layer(Moments *moments, const Frame *frame, int layer);
 
-// As shadow_map_draw, with the map's program.
-Touched multisample_draw(const Multisample *multisample, const ShadowMap *map,
-                         const Geometry *geometry, const MapPlan *plan);
-
-// Draws every layer once more and writes sample S of layer L as
-// directory/samples.L.S.exr, and as sample_positions.exr, of one row, where
-// each lies in a texel: x and y in [0, 1], y upwards.
-void multisample_dump(const Multisample *multisample, const ShadowMap *map,
-                      const Geometry *geometry, const MapPlan *plan,
-                      const char *directory);
-
-// Compiles the shaders again; see gl_program_reload.
-bool multisample_reload(Multisample *multisample);
-
-void multisample_destroy(Multisample *multisample);
+// Writes sample_positions.exr into the directory, of one row: where each sample
+// lies in a texel, x and y in [0, 1], y upwards.
+void multisample_dump_positions(const Moments *moments, const char *directory);
 
 #endif

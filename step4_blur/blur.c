@@ -8,20 +8,6 @@
 #include "step1_shadowmap/base/system/die.h" // allocate, die_usage
 #include "step4_blur/running_box.h"          // running_box_apply
 
-static BlurTarget create_target(Blur *blur, const ShadowMap *map)
-{
-    blur->bytes += (size_t)blur->width * (size_t)blur->height *
-                   (size_t)blur->layers * gl_texel_bytes(map->format);
-    BlurTarget target = {.texture = gl_texture_array(map->format, blur->width,
-                                                     blur->height, blur->layers,
-                                                     map->sampling)};
-    for (int layer = 0; layer < blur->layers; layer++) {
-        target.framebuffers[layer] =
-            gl_layer_framebuffer(target.texture, layer, 0);
-    }
-    return target;
-}
-
 static double kernel_weight(const char *name, int radius, int offset)
 {
     double weight = 1; // box, and each of several boxes
@@ -48,15 +34,50 @@ void blur_weights(const char *name, const int sides[2], float weights[])
     }
 }
 
+static double filter_variance(const BlurSettings *settings, const int sides[2])
+{
+    float weights[2 * 1024 + 1];
+    double mean = 0, square = 0;
+    blur_weights(settings->kernel, sides, weights);
+    for (int i = -sides[0]; i <= sides[1]; i++) {
+        mean += (double)weights[i + sides[0]] * i;
+        square += (double)weights[i + sides[0]] * i * i;
+    }
+    return square - mean * mean;
+}
+
+double blur_spread(const BlurSettings *settings)
+{
+    BlurSides filters[BLUR_MAX_FILTERS];
+    int count = blur_filters(settings, filters);
+    double texel = settings->downsample, variance = 0;
+    if (settings->mips || settings->sat) {
+        return 0;
+    }
+    for (int i = 0; i < count; i++) {
+        variance += filter_variance(settings, filters[i].sides);
+    }
+    return texel * texel * variance;
+}
+
+Lookups blur_lookups(const BlurSettings *settings,
+                     const MomentsSettings *moments, const BiasSettings *bias)
+{
+    int reach = blur_reach(settings);
+    bool mean = !settings->mips && !settings->sat; // about its own place
+    return bias_lookups(bias, reach, mean ? 2 * reach + 1 : 0,
+                        moments_format(moments));
+}
+
 // The program of a pass that averages texels.
-static Program merge_program(ShaderFiles files, const MomentsSettings *moments,
-                             const char *pass)
+static Program *merge_program(Frame *frame, const MomentsSettings *moments,
+                              const char *constants, const char *pass)
 {
     const char *vertex[] = {"step1_shadowmap/shaders/fullscreen.vert", NULL};
     const char *fragment[] = {moments_merge_shader(moments),
                               moments_store_shader(moments),
                               "step4_blur/shaders/map_texel.glsl", pass, NULL};
-    return gl_program(files, vertex, fragment);
+    return gl_program(&frame->shaders, constants, vertex, fragment);
 }
 
 // What the program of one filter takes for constants: a loop over texels whose
@@ -104,185 +125,210 @@ bool blur_runs(const BlurSettings *settings, const MomentsSettings *moments)
            blur_used_radius(settings) > FRAGMENTS_RADIUS;
 }
 
-static void create_filters(Blur *blur, ShaderFiles files,
-                           const BlurSettings *settings,
-                           const MomentsSettings *moments)
+// A map like the source, smaller by a factor of which each texel is made.
+static Target smaller_map(const Target *source, const char *pass, int factor)
 {
-    blur->filter_count = blur_filters(settings, blur->filters);
-    blur->running = blur_runs(settings, moments);
-    for (int i = 0; i < blur->filter_count; i++) {
-        blur->constants[i] =
-            filter_constants(settings, blur->filters[i].sides, blur->running);
-        files.constants = blur->constants[i];
-        blur->blur_programs[i] =
-            blur->running
-                ? running_box_program(files, moments)
-                : merge_program(files, moments, "step4_blur/shaders/blur.frag");
-    }
+    return (Target){.pass = pass,
+                    .kind = TARGET_LAYERS,
+                    .width = source->width / factor,
+                    .height = source->height / factor,
+                    .layers = source->layers,
+                    .formats = {source->formats[0]},
+                    .sampling = source->sampling};
 }
 
-Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const MomentsMap *moments_map)
+static void add_not_asked(Blur *blur, Frame *frame, const char *pass,
+                          const char *why)
 {
-    const MomentsSettings *moments = moments_map->settings;
-    const ShadowMap *map = &moments_map->texels;
-    Blur blur = {.factor = settings->downsample,
-                 .radius = settings->sat ? 0 : blur_used_radius(settings),
-                 .anisotropy = settings->anisotropy,
-                 .hardware = blur_uses_hardware(settings),
-                 .width = map->width / settings->downsample,
-                 .height = map->height / settings->downsample,
-                 .layers = map->layers};
-    const int size[2] = {blur.width, blur.height};
-    glGenVertexArrays(1, &blur.empty_vao);
-    Sampling single = map->sampling;
-    single.filter = GL_NEAREST;
-    blur.texel_sampler = gl_sampler(single);
+    Target *target = blur->not_asked;
+    while (target->pass != NULL) {
+        target++;
+    }
+    *target = (Target){
+        .pass = pass, .why = why, .kind = TARGET_NOTHING, .idle = true};
+    target_add(&frame->targets, target);
+}
+
+static Target *create_small(Blur *blur, Frame *frame, const Moments *moments)
+{
+    int factor = blur->settings->downsample;
+    bool alone = blur->settings->mips && blur_used_radius(blur->settings) == 0;
+    if (factor == 1) {
+        add_not_asked(blur, frame, "downsampling", "--downsample 1");
+    }
     // A chain needs a texture of its own, and the moments' is not ours.
-    if (blur.factor > 1 || (settings->mips && blur.radius == 0)) {
-        blur.downsample_program =
-            merge_program(files, moments, "step4_blur/shaders/downsample.frag");
-        blur.small = create_target(&blur, map);
+    if (factor == 1 && !alone) {
+        return blur->source;
     }
-    if (blur.radius > 0) {
-        create_filters(&blur, files, settings, moments);
-        blur.horizontal = create_target(&blur, map);
-        blur.vertical = create_target(&blur, map);
-    }
-    if (settings->mips) {
-        const BlurTarget *last = blur.radius > 0 ? &blur.vertical : &blur.small;
-        blur.mips = mips_create(
-            merge_program(files, moments, "step4_blur/shaders/mips.frag"),
-            last->texture, map, size);
-        blur.bytes += blur.mips.bytes;
-        if (blur.hardware) {
-            mips_use_sampler(&blur.mips, settings->anisotropy);
-        }
-    }
-    if (settings->sat) {
-        blur.sat = sat_create(files, size, blur.layers,
-                              blur_used_radius(settings), settings->sat_by);
-        blur.bytes += blur.sat.bytes;
-    }
-    return blur;
+    blur->small =
+        smaller_map(blur->source, factor > 1 ? "downsampling" : "copy", factor);
+    blur->small.why = factor > 1 ? "--downsample" : "of which --mips are made";
+    blur->small.reads = blur->source;
+    blur->small.scale = factor;
+    blur->downsample = merge_program(frame, moments->settings, NULL,
+                                     "step4_blur/shaders/downsample.frag");
+    target_add(&frame->targets, &blur->small);
+    return &blur->small;
 }
 
-// The texels that a pass writes, by layer, of the layers that the plan draws.
-typedef struct Part {
-    const Rect *rects;
-    const MapPlan *plan;
-} Part;
-
-// Draws these of the target from the same layer of the source.
-static void draw_layers(const Blur *blur, GLuint program, GLuint source,
-                        const BlurTarget *target, Part part)
+static void create_program(Blur *blur, Frame *frame, const Moments *moments,
+                           int filter)
 {
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, source);
-    glUniform1i(glGetUniformLocation(program, "map"), 0);
-    for (int layer = 0; layer < blur->layers; layer++) {
-        if (part.plan->layers[layer].draw) {
-            gl_limit(&part.rects[layer]);
-            glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffers[layer]);
-            glUniform1i(glGetUniformLocation(program, "layer"), layer);
-            gl_draw_fullscreen(blur->empty_vao);
-        }
+    char *constants = filter_constants(
+        blur->settings, blur->filters[filter].sides, blur->running);
+    blur->programs[filter] =
+        blur->running
+            ? running_box_program(&frame->shaders, constants, moments->settings)
+            : merge_program(frame, moments->settings, constants,
+                            "step4_blur/shaders/blur.frag");
+    free(constants);
+}
+
+// All filters along u, then all along v: an even number, by turns between two
+// textures. A pass reads as many texels around its own as its filter holds to
+// the wider side.
+static Target *create_passes(Blur *blur, Frame *frame, Target *source,
+                             const Moments *moments)
+{
+    int count = blur->filter_count =
+        blur_filters(blur->settings, blur->filters);
+    blur->running = count > 0 && blur_runs(blur->settings, moments->settings);
+    for (int i = 0; i < count; i++) {
+        create_program(blur, frame, moments, i);
     }
-    gl_unlimit();
-}
-
-static void downsample(const Blur *blur, GLuint source, Part part)
-{
-    GLuint program = blur->downsample_program.id;
-    glUseProgram(program);
-    glUniform1i(glGetUniformLocation(program, "factor"), blur->factor);
-    draw_layers(blur, program, source, &blur->small, part);
-}
-
-static void blur_along(const Blur *blur, int axis, int filter, GLuint source,
-                       const BlurTarget *target, Part part)
-{
-    GLuint program = blur->blur_programs[filter].id;
-    if (blur->running) {
-        running_box_apply(program, source, target->texture, part.rects,
-                          part.plan, axis, blur->filters[filter].sides);
-        return;
-    }
-    glUseProgram(program);
-    glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
-    draw_layers(blur, program, source, target, part);
-}
-
-// All filters along u, then all along v: an even number, between two targets.
-static GLuint blur_axes(const Blur *blur, GLuint source, const BlurPlan *plan)
-{
-    const BlurTarget *targets[] = {&blur->horizontal, &blur->vertical};
-    int count = blur->filter_count;
     for (int i = 0; i < 2 * count; i++) {
-        const BlurTarget *target = targets[i % 2];
-        blur_along(blur, i / count, i % count, source, target,
-                   (Part){plan->passes[i], &plan->map});
-        source = target->texture;
+        const int *sides = blur->filters[i % count].sides;
+        Target *pass = &blur->passes[i];
+        *pass =
+            smaller_map(source, i < count ? "blur along u" : "blur along v", 1);
+        pass->why = blur->running ? "by running boxes in compute shaders"
+                                  : "by fragments";
+        pass->shares = i < 2 ? NULL : &blur->passes[i % 2];
+        pass->reads = source;
+        pass->scale = 1;
+        pass->reach[i / count] = sides[0] > sides[1] ? sides[0] : sides[1];
+        target_add(&frame->targets, pass);
+        source = pass;
+    }
+    if (count == 0) {
+        add_not_asked(blur, frame, "blur", "radius 0: it would copy the map");
     }
     return source;
 }
 
-void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan)
+static void create_mips(Blur *blur, Frame *frame, Target *source,
+                        const Moments *moments)
 {
-    GLuint result = moments->texels.texture;
-    glDisable(GL_DEPTH_TEST);
-    glViewport(0, 0, blur->width, blur->height);
-    glBindSampler(0, blur->texel_sampler);
-    if (blur->downsample_program.id != 0) {
-        downsample(blur, result, (Part){plan->small, &plan->map});
-        result = blur->small.texture;
+    const BlurSettings *settings = blur->settings;
+    Target *owner = source->shares != NULL ? source->shares : source;
+    const int size[2] = {source->width, source->height};
+    if (!settings->mips) {
+        add_not_asked(blur, frame, mips_pass, "no lookup reads any");
+        return;
     }
-    if (blur->radius > 0) {
-        result = blur_axes(blur, result, plan);
+    if (blur_uses_hardware(settings)) {
+        mips_check_sampler(source->layers, settings->anisotropy);
+        blur->mips.anisotropy = settings->anisotropy;
+    }
+    mips_create(&blur->mips, frame,
+                merge_program(frame, moments->settings, NULL,
+                              "step4_blur/shaders/mips.frag"),
+                owner, source,
+                blur_last_level(settings, &frame->views, mips_count(size)),
+                settings->anisotropy > 1 ? TARGET_EVERYWHERE : 1);
+}
+
+// What the picture reads of the result around the receiver's place: 2 x 2
+// texels, or just outside of a table's box too. Taps along the pixel's longer
+// axis may be anywhere.
+static int lookup_reach(const BlurSettings *settings)
+{
+    return settings->anisotropy > 1 ? TARGET_EVERYWHERE
+           : settings->sat          ? blur_used_radius(settings) + 2
+                                    : 1;
+}
+
+static void create_result(Blur *blur, Frame *frame, Target *source)
+{
+    blur->result = smaller_map(source, NULL, 1);
+    blur->result.shares = blur->result.reads = source;
+    blur->result.scale = 1;
+    blur->result.file = blur->settings->sat ? NULL : "blurred";
+    blur->result.looked_up = lookup_reach(blur->settings);
+    target_add(&frame->targets, &blur->result);
+}
+
+void blur_create(Blur *blur, Frame *frame, const BlurSettings *settings,
+                 Moments *moments)
+{
+    blur->settings = settings;
+    blur->source = &moments->target;
+    Target *source = create_small(blur, frame, moments);
+    if (settings->sat) {
+        add_not_asked(blur, frame, "blur", "the table holds every box");
+    } else {
+        source = create_passes(blur, frame, source, moments);
+    }
+    create_mips(blur, frame, source, moments);
+    if (settings->sat) {
+        source = sat_create(&blur->sat, frame, source,
+                            blur_used_radius(settings), settings->sat_by);
+    } else {
+        add_not_asked(blur, frame, "summed-area table", "no lookup reads it");
+    }
+    create_result(blur, frame, source);
+}
+
+static void downsample(Blur *blur, const Frame *frame)
+{
+    GLuint program = gl_use(blur->downsample);
+    glUniform1i(glGetUniformLocation(program, "factor"), blur->small.scale);
+    frame_filter(frame, program, target_texture(blur->source), &blur->small);
+}
+
+static void blur_along(Blur *blur, const Frame *frame, int pass)
+{
+    int axis = pass / blur->filter_count, filter = pass % blur->filter_count;
+    Target *target = &blur->passes[pass];
+    GLuint source = target_texture(target->reads);
+    GLuint program = gl_use(blur->programs[filter]);
+    glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
+    if (blur->running) {
+        running_box_apply(program, source, target, axis,
+                          blur->filters[filter].sides);
+    } else {
+        frame_filter(frame, program, source, target);
+    }
+}
+
+// The passes read single texels of a map.
+static GLuint bind_sampler(const Target *map)
+{
+    Sampling single = map->sampling;
+    single.filter = GL_NEAREST;
+    GLuint sampler = gl_sampler(single);
+    glBindSampler(0, sampler);
+    return sampler;
+}
+
+void blur_apply(Blur *blur, const Frame *frame)
+{
+    if (!frame->looks_up && frame->dump == NULL) {
+        return;
+    }
+    GLuint sampler = bind_sampler(blur->source);
+    if (blur->downsample != NULL) {
+        downsample(blur, frame);
+    }
+    for (int i = 0; i < 2 * blur->filter_count; i++) {
+        blur_along(blur, frame, i);
     }
     if (blur->mips.levels > 0) {
-        mips_apply(&blur->mips, result, blur->empty_vao, plan->levels,
-                   &plan->map);
+        mips_apply(&blur->mips, frame);
     }
-    if (blur->sat.layers > 0) {
-        result = sat_apply(&blur->sat, result, blur->empty_vao, plan->levels[0],
-                           &plan->map);
+    if (blur->settings->sat) {
+        sat_apply(&blur->sat, frame);
     }
     glBindSampler(0, 0);
-    blur->result = result;
-    blur->touched = blur_plan_touched(plan, blur, moments->texels.format);
-}
-
-bool blur_reload(Blur *blur)
-{
-    bool compiled = gl_program_reload(&blur->downsample_program);
-    for (int i = 0; i < blur->filter_count; i++) {
-        compiled = compiled && gl_program_reload(&blur->blur_programs[i]);
-    }
-    return compiled && gl_program_reload(&blur->mips.program) &&
-           sat_reload(&blur->sat);
-}
-
-static void destroy_target(const Blur *blur, BlurTarget *target)
-{
-    glDeleteFramebuffers(blur->layers, target->framebuffers);
-    glDeleteTextures(1, &target->texture);
-}
-
-void blur_destroy(Blur *blur)
-{
-    // The name 0, of what was never created, is ignored.
-    sat_destroy(&blur->sat);
-    mips_destroy(&blur->mips);
-    destroy_target(blur, &blur->vertical);
-    destroy_target(blur, &blur->horizontal);
-    destroy_target(blur, &blur->small);
-    for (int i = 0; i < blur->filter_count; i++) {
-        gl_program_destroy(&blur->blur_programs[i]);
-        free(blur->constants[i]);
-    }
-    gl_program_destroy(&blur->downsample_program);
-    glDeleteSamplers(1, &blur->texel_sampler);
-    glDeleteVertexArrays(1, &blur->empty_vao);
-    *blur = (Blur){.width = 0};
+    glDeleteSamplers(1, &sampler);
 }

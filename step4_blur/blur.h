@@ -2,10 +2,9 @@
 #ifndef STEP4_BLUR_H
 #define STEP4_BLUR_H
 
-#include "step1_shadowmap/base/system/options.h" // Option
-#include "step3_moments/moments.h"               // MomentsMap
-#include "step4_blur/mips.h"                     // Mips
-#include "step4_blur/sat.h"                      // Sat
+#include "step3_moments/moments.h" // Moments
+#include "step4_blur/mips.h"       // Mips
+#include "step4_blur/sat.h"        // Sat
 
 enum { BLUR_MAX_FILTERS = 3 };
 
@@ -66,75 +65,36 @@ void blur_check(const BlurSettings *settings, const MomentsSettings *moments,
 // How many texels of the full map one filtered lookup reads to each side.
 int blur_reach(const BlurSettings *settings);
 
-// An array texture of the map's size over the factor, and what fills it.
-typedef struct BlurTarget {
-    GLuint texture;
-    GLuint framebuffers[VIEW_MAX_LAYERS];
-} BlurTarget;
-
-typedef struct Blur {
-    Program downsample_program; // none where there is no small map
-    bool running; // the blur is of running boxes in compute shaders
-    BlurSides filters[BLUR_MAX_FILTERS]; // none where the radius is 0
-    char *constants[BLUR_MAX_FILTERS];   // of each one's program
-    Program blur_programs[BLUR_MAX_FILTERS];
-    int filter_count;
-    GLuint empty_vao;
-    GLuint texel_sampler;  // for the passes: single texels of a map
-    BlurTarget small;      // downsampled; with mips alone: copied
-    BlurTarget horizontal; // blurred along u; with boxes taking turns
-    BlurTarget vertical;   // then along v; the last one
-    Mips mips;             // of the result
-    Sat sat;               // in place of the blur
-    int factor, radius;
-    int anisotropy;
-    bool hardware;             // the texture unit looks the levels up
-    int width, height, layers; // of the result
-    size_t bytes;              // of the textures that the filter needs
-    Touched touched;           // by the last blur_apply
-    GLuint result;             // the texture that the picture looks up
-} Blur;
-
-Blur blur_create(ShaderFiles files, const BlurSettings *settings,
-                 const MomentsMap *moments_map);
-
-// What of the map is drawn and filtered.
-typedef struct BlurPlan {
-    MapPlan map; // of the moments
-    // By layer, the texels that each pass writes of its own target; the first
-    // of the levels is the result. Empty where a layer is not filtered.
-    Rect small[VIEW_MAX_LAYERS];
-    Rect passes[2 * BLUR_MAX_FILTERS][VIEW_MAX_LAYERS]; // of the blur
-    Rect levels[MIPS_MAX_LEVELS][VIEW_MAX_LAYERS];
-} BlurPlan;
-
-// bias_plan of the blurred map's means, where each is about its own place.
-void blur_plan_bias(const BiasSettings *bias, Facts *facts,
-                    const BlurSettings *settings,
-                    const MomentsSettings *moments);
-
-// Decides from the last pass back to the first, each wider by what the one
-// after it reads around it, and then what is drawn of the moments (see
-// map_plan_decide). Adds all their rows to the facts' plan.
-void blur_plan_decide(BlurPlan *plan, Facts *facts,
-                      const BlurSettings *settings,
-                      const MomentsSettings *moments);
-
 // The variance of the weights of a filtered texel, in texels of the full map;
 // of a lookup that is the mean of them about the receiver's own place. 0: it
 // may be another, or about another place.
 double blur_spread(const BlurSettings *settings);
 
-// Every texel of every layer, for the files of --dump.
-BlurPlan blur_plan_whole(const BlurPlan *plan, const Blur *blur);
+// The lookups of a picture that compares with biased means, see bias_lookups.
+Lookups blur_lookups(const BlurSettings *settings,
+                     const MomentsSettings *moments, const BiasSettings *bias);
 
-// What the filter touches in this frame, of texels of this format.
-Touched blur_plan_touched(const BlurPlan *plan, const Blur *blur,
-                          GLenum format);
+typedef struct Blur {
+    const BlurSettings *settings;
+    Target *source; // the moments
+    Target small;   // downsampled; with mips alone: copied
+    Program *downsample;
+    bool running; // the blur is of running boxes in compute shaders
+    BlurSides filters[BLUR_MAX_FILTERS]; // none where the radius is 0
+    int filter_count;
+    Program *programs[BLUR_MAX_FILTERS];
+    Target passes[2 * BLUR_MAX_FILTERS]; // all along u, then all along v
+    Mips mips;                           // of the result
+    Sat sat;                             // in place of the blur
+    Target result;       // what the picture looks up, filtered or not
+    Target not_asked[4]; // passes that there are not, for --plan
+} Blur;
 
-// Filters the layers that are drawn in this frame. Where there is nothing to do
-// the result is the moments themselves.
-void blur_apply(Blur *blur, const MomentsMap *moments, const BlurPlan *plan);
+// Keeps the pointers to the settings and to the moments' target.
+void blur_create(Blur *blur, Frame *frame, const BlurSettings *settings,
+                 Moments *moments);
+
+void blur_apply(Blur *blur, const Frame *frame);
 
 enum { BLUR_MAX_SHADERS = 8 };
 
@@ -148,22 +108,11 @@ void blur_picture_shaders(const BlurSettings *settings,
                           const MomentsSettings *moments,
                           const char *visibility, const char *files[]);
 
-// The coarsest level that the picture looks up of a filtered map of this size.
+// The coarsest level that the picture looks up of a chain of so many.
 int blur_last_level(const BlurSettings *settings, const Views *views,
-                    const int size[2]);
+                    int levels);
 
-// Sets the uniforms of these files.
-void blur_set_lookup(const Blur *blur, const Views *views, GLuint program);
-
-// Filters every layer whole, of moments that moments_dump has drawn whole, and
-// writes the result, layer L as directory/blurred.L.exr; see mips_dump for the
-// rest.
-void blur_dump(Blur *blur, const MomentsMap *moments, const BlurPlan *plan,
-               const char *directory);
-
-// Compiles the shaders again; see gl_program_reload.
-bool blur_reload(Blur *blur);
-
-void blur_destroy(Blur *blur);
+// Sets the uniforms of these files. The program is in use.
+void blur_set_lookup(const Blur *blur, const Frame *frame, GLuint program);
 
 #endif

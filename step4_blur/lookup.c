@@ -1,23 +1,22 @@
 // How the picture looks the filtered map up.
 #include "step4_blur/blur.h"
 
-#include "step1_shadowmap/base/picture/dump.h"       // dump_layers
-#include "step1_shadowmap/base/picture/scene_draw.h" // scene_draw_footprint
+#include "step1_shadowmap/base/picture/picture.h" // picture_footprint
 
 const char blur_sat_lookup[] = "step4_blur/shaders/lookup_sat.glsl";
 
 static const char *const bilinear[] = {
     "step3_moments/shaders/lookup_bilinear.glsl", NULL};
 static const char *const trilinear[] = {
-    scene_draw_footprint, "step1_shadowmap/shaders/ellipse.glsl",
+    picture_footprint, "step1_shadowmap/shaders/ellipse.glsl",
     "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_trilinear.glsl", NULL};
 static const char *const anisotropic[] = {
-    scene_draw_footprint, "step1_shadowmap/shaders/ellipse.glsl",
+    picture_footprint, "step1_shadowmap/shaders/ellipse.glsl",
     "step4_blur/shaders/mip_levels.glsl",
     "step4_blur/shaders/lookup_anisotropic.glsl", NULL};
 static const char *const hardware[] = {
-    scene_draw_footprint, "step4_blur/shaders/lookup_hardware.glsl", NULL};
+    picture_footprint, "step4_blur/shaders/lookup_hardware.glsl", NULL};
 static const char *const box[] = {"step4_blur/shaders/sat_box.glsl",
                                   blur_sat_lookup, NULL};
 
@@ -71,46 +70,33 @@ static int last_level(int levels, double free)
 }
 
 int blur_last_level(const BlurSettings *settings, const Views *views,
-                    const int size[2])
+                    int levels)
 {
-    return last_level(
-        mips_count(size),
-        free_texels(views, settings->downsample, blur_used_radius(settings)));
+    return last_level(levels, free_texels(views, settings->downsample,
+                                          blur_used_radius(settings)));
 }
 
-static void set_levels(const Blur *blur, const Views *views, GLuint program)
+static void set_levels(const Blur *blur, const Frame *frame, GLuint program)
 {
-    double free = free_texels(views, blur->factor, blur->radius);
+    const BlurSettings *settings = blur->settings;
+    int radius = settings->sat ? 0 : blur_used_radius(settings);
+    double free = free_texels(&frame->views, settings->downsample, radius);
     int last = last_level(blur->mips.levels, free);
-    if (blur->hardware) {
+    if (blur_uses_hardware(settings)) {
         mips_limit_sampler(&blur->mips, last);
     }
     glUniform1i(glGetUniformLocation(program, "last_level"), last);
-    glUniform1i(glGetUniformLocation(program, "anisotropy"), blur->anisotropy);
+    glUniform1i(glGetUniformLocation(program, "anisotropy"),
+                settings->anisotropy);
     glUniform1f(glGetUniformLocation(program, "free_texels"), (float)free);
 }
 
-void blur_set_lookup(const Blur *blur, const Views *views, GLuint program)
+void blur_set_lookup(const Blur *blur, const Frame *frame, GLuint program)
 {
-    glUseProgram(program);
-    if (blur->mips.levels > 0) {
-        set_levels(blur, views, program);
+    if (blur->mips.levels > 0 && frame->looks_up) {
+        set_levels(blur, frame, program);
     }
-    if (blur->sat.layers > 0) {
+    if (blur->settings->sat) {
         sat_set_lookup(&blur->sat, program);
     }
-}
-
-void blur_dump(Blur *blur, const MomentsMap *moments, const BlurPlan *plan,
-               const char *directory)
-{
-    BlurPlan whole = blur_plan_whole(plan, blur);
-    blur_apply(blur, moments, &whole);
-    if (blur->sat.layers > 0) {
-        sat_dump(&blur->sat, blur->result, blur->empty_vao, directory);
-        return;
-    }
-    dump_layers(directory, "blurred", blur->result, blur->width, blur->height,
-                blur->layers, 2);
-    mips_dump(&blur->mips, blur->result, directory);
 }

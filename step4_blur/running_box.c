@@ -3,11 +3,12 @@
 // Lines that one work group blurs, as the shader says.
 enum { GROUP = 64 };
 
-Program running_box_program(ShaderFiles files, const MomentsSettings *moments)
+Program *running_box_program(Shaders *shaders, const char *constants,
+                             const MomentsSettings *moments)
 {
-    const char *const shaders[] = {moments_merge_shader(moments),
-                                   "step4_blur/shaders/running_box.comp", NULL};
-    return gl_compute_program(files, shaders);
+    const char *const files[] = {moments_merge_shader(moments),
+                                 "step4_blur/shaders/running_box.comp", NULL};
+    return gl_compute_program(shaders, constants, files);
 }
 
 // The first block around which a box has its middle at `low` or behind. The
@@ -20,28 +21,25 @@ static int first_start(int low, const int sides[2])
     return low / width * width + sides[1];
 }
 
-void running_box_apply(GLuint program, GLuint source, GLuint target,
-                       const Rect texels[], const MapPlan *plan, int axis,
+void running_box_apply(GLuint program, GLuint source, Target *target, int axis,
                        const int sides[2])
 {
-    glUseProgram(program);
     glBindImageTexture(0, source, 0, GL_TRUE, 0, GL_READ_ONLY, GL_RG32F);
-    glBindImageTexture(1, target, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32F);
+    glBindImageTexture(1, target_texture(target), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                       GL_RG32F);
     glUniform1i(glGetUniformLocation(program, "map"), 0);
     glUniform1i(glGetUniformLocation(program, "blurred"), 1);
-    glUniform2i(glGetUniformLocation(program, "axis"), 1 - axis, axis);
-    for (int layer = 0; layer < plan->layer_count; layer++) {
-        const Rect *rect = &texels[layer];
-        int lines = rect->high[1 - axis] - rect->low[1 - axis];
-        if (!plan->layers[layer].draw || rect_is_empty(rect)) {
+    for (int layer = 0; layer < target->layers; layer++) {
+        const Rect *rect = target_wanted(target, layer);
+        if (rect == NULL) {
             continue;
         }
+        int first = rect->low[1 - axis], end = rect->high[1 - axis];
         glUniform1i(glGetUniformLocation(program, "layer"), layer);
-        glUniform2i(glGetUniformLocation(program, "lines"), rect->low[1 - axis],
-                    rect->high[1 - axis]);
+        glUniform2i(glGetUniformLocation(program, "lines"), first, end);
         glUniform2i(glGetUniformLocation(program, "middles"),
                     first_start(rect->low[axis], sides), rect->high[axis]);
-        glDispatchCompute((GLuint)((lines + GROUP - 1) / GROUP), 1, 1);
+        glDispatchCompute((GLuint)((end - first + GROUP - 1) / GROUP), 1, 1);
     }
     // Next it is blurred again, or looked up, or read through a framebuffer.
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |

@@ -4,25 +4,19 @@
 #ifndef STEP4_SAT_COMPUTE_H
 #define STEP4_SAT_COMPUTE_H
 
-#include "step1_shadowmap/base/gl/gl.h" // Program
-#include "step1_shadowmap/map_plan.h"   // MapPlan
+#include "step1_shadowmap/base/gl/target.h" // Target
 
-// None (all zero) where fragments make the table.
 typedef struct SatCompute {
-    Program rows;
-    Program columns;
+    Program *rows;
+    Program *columns;
 } SatCompute;
 
-SatCompute sat_compute_create(ShaderFiles files);
+SatCompute sat_compute_create(Shaders *shaders);
 
-// Sums these texels of the layers that the plan draws into the table, an array
-// texture of two 32-bit whole numbers of the map's size; `steps` as in sat.h.
-void sat_compute_apply(const SatCompute *compute, GLuint map, GLuint table,
-                       int layers, GLuint steps, const Rect texels[],
-                       const MapPlan *plan);
-
-bool sat_compute_reload(SatCompute *compute);
-
-void sat_compute_destroy(SatCompute *compute);
+// Sums the wanted texels of the map along the rows into the table, and this
+// along the columns into `sums`, which has the same texture: two 32-bit whole
+// numbers for each texel; `steps` as in sat.h.
+void sat_compute_apply(const SatCompute *compute, GLuint map, Target *table,
+                       Target *sums, GLuint steps);
 
 #endif

@@ -3,12 +3,10 @@
 #ifndef STEP5_DEFERRED_H
 #define STEP5_DEFERRED_H
 
-#include "step1_shadowmap/base/picture/scene_draw.h" // SceneDraw
-
-enum { DEFERRED_TEXTURES = 5 };
+#include "step1_shadowmap/base/picture/picture.h" // Picture
 
 // Where the shading finds what a pixel shows.
-const SceneSource *deferred_source(bool deferred);
+const PictureSource *deferred_source(bool deferred);
 
 // The G-buffer: position relative to the camera, normal and albedo, and where
 // the picture's lookup needs the footprint the position's two derivatives. All
@@ -16,26 +14,18 @@ const SceneSource *deferred_source(bool deferred);
 // but at view depth z its error is near 2^-24 z^2 / near, that of a stored
 // float 2^-24 z: t, and with it the picture, would be another one.
 typedef struct Deferred {
-    Program program; // none: not deferred
-    GLuint framebuffer;
-    GLuint textures[DEFERRED_TEXTURES];
-    int count; // of the textures
-    GLuint empty_vao;
+    Target target;
+    Program *program; // NULL: not deferred
+    int count;        // of the textures
 } Deferred;
 
-// For a picture made with deferred_source(); shares its depth buffer, and adds
-// to what it touches. Where it was not asked for, all zero.
-Deferred deferred_create(bool asked_for, const BaseSettings *base,
-                         SceneDraw *picture);
+// For a picture made with deferred_source(), whose depth buffer it shares.
+// Where it was not asked for, a row in the plan alone.
+void deferred_create(Deferred *deferred, Frame *frame, bool asked_for,
+                     Picture *picture);
 
-// As scene_draw; in two passes where it is deferred. The same picture to the
+// As picture_draw; in two passes where it is deferred. The same picture to the
 // last bit where the driver computes both alike.
-void deferred_draw(const Deferred *deferred, const SceneDraw *picture,
-                   const Scene *scene, const Geometry *geometry,
-                   const Views *views, GLuint map);
-
-bool deferred_reload(Deferred *deferred);
-
-void deferred_destroy(Deferred *deferred);
+void deferred_draw(Deferred *deferred, Picture *picture, const Frame *frame);
 
 #endif

@@ -2,11 +2,10 @@
 
 #include <string.h> // memmove, strcmp
 
-#include "step1_shadowmap/base/system/die.h"     // die_usage
-#include "step1_shadowmap/base/leave_out/flat.h" // flat_everywhere
-#include "step1_shadowmap/shadow_map.h"          // bias_apply
-#include "step5_chebyshev/deferred.h"            // deferred_source
-#include "step5_chebyshev/guard_settings.h"      // guard_of_settings
+#include "step1_shadowmap/base/system/die.h" // die_usage
+#include "step1_shadowmap/shadow_map.h"      // bias_apply
+#include "step5_chebyshev/deferred.h"        // deferred_source
+#include "step5_chebyshev/guard_settings.h"  // guard_of_settings
 
 const Option shading_options[] = {
     {.name = "deferred",
@@ -156,46 +155,25 @@ void shading_check(ShadingSettings *settings, BaseSettings *base,
     }
 }
 
-// A plane alone varies by V = spread slope^2 across the filter, and t is the
-// mean of that but for rounding and the plane's own error. auto adds to the
-// mean what rounding can have taken, and nothing is lost of V. So t is behind
-// by no more than the error, and p = V / (V + error^2) is 1, as a sum in single
-// precision is V where what is added is less than a half of 2^-24 V; another
-// half is for V's own error. (16 bits round the depths themselves: not shown.)
-static bool is_lit_plane(const ShadingSettings *settings, const Facts *facts)
+// Of 16 bits and samples it is not shown that a lone plane stays lit.
+static bool keeps_planes_lit(const ShadingSettings *settings)
 {
-    double spread = blur_spread(&settings->blur);
-    Flat flat;
     return !settings->soft && settings->moments.msaa == 1 &&
            moments_format(&settings->moments) == GL_RG32F &&
-           settings->chebyshev.min_variance == OPTION_AUTO &&
-           flat_everywhere(facts, settings->reach, &flat) &&
-           flat.error * flat.error < 0x1p-26 * spread * flat.slope * flat.slope;
+           settings->chebyshev.min_variance == OPTION_AUTO;
 }
 
-void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
-                  Views *views, const Scene *scene, const BaseSettings *base)
+Lookups shading_lookups(const ShadingSettings *settings, const Frame *frame)
 {
-    if (settings->reach == 0) {
-        settings->reach =
-            settings->soft
-                ? soft_reach(&settings->softness, &settings->blur, base, scene)
-                : blur_reach(&settings->blur);
+    Lookups lookups = {
+        .reach = settings->soft
+                     ? soft_reach(&settings->softness, &settings->blur, frame)
+                     : blur_reach(&settings->blur),
+        .anywhere = settings->soft};
+    if (keeps_planes_lit(settings)) {
+        lookups.spread = blur_spread(&settings->blur);
     }
-    if (!facts_collect(facts, scene, views, base, settings->reach)) {
-        return;
-    }
-    if (settings->soft) {
-        facts_look_everywhere(facts);
-    }
-    if (is_lit_plane(settings, facts)) {
-        facts_drop_lookups(facts, "one plane alone, which varies too much to "
-                                  "shadow itself");
-    }
-    blur_plan_decide(plan, facts, &settings->blur, &settings->moments);
-    plan_add(&facts->plan, "G-buffer", -1, settings->deferred, 0, 0, "%s",
-             settings->deferred ? "--deferred"
-                                : "surfaces are shaded as they are drawn");
+    return lookups;
 }
 
 // Puts the adaptive box's lookup, and the footprint that this one asks for, in
@@ -210,7 +188,7 @@ static void adapt_box(const char *files[])
     }
     memmove(&files[place + 1], &files[place],
             sizeof *files * (size_t)(count + 1 - place));
-    files[place] = scene_draw_footprint;
+    files[place] = picture_footprint;
     files[place + 1] = "step5_chebyshev/shaders/lookup_sat_adaptive.glsl";
 }
 
@@ -271,25 +249,22 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
     *files = NULL;
 }
 
-const char *shading_constants(ShadingSettings *settings, const Blur *filter)
+static void find_constants(ShadingSettings *settings, const Blur *filter)
 {
-    if (filter->layers == 0) {
-        return NULL;
-    }
     int lookups = settings->soft ? SOFT_TAPS : settings->blur.anisotropy;
     GuardNumbers guard =
         guard_of_settings(&settings->moments, &settings->blur, filter, lookups);
     chebyshev_constants(&settings->chebyshev, &guard, settings->constants);
-    return settings->constants;
 }
 
-SceneDraw shading_picture(const ShadingSettings *settings,
-                          const BaseSettings *base, Facts *facts)
+void shading_picture(ShadingSettings *settings, Picture *picture, Frame *frame,
+                     Blur *filter)
 {
     const char *visibility[SHADING_MAX_SHADERS];
     shading_shaders(settings, visibility);
-    return scene_draw_create_from(deferred_source(settings->deferred), base,
-                                  facts, visibility);
+    find_constants(settings, filter);
+    picture_create_from(picture, frame, deferred_source(settings->deferred),
+                        &filter->result, settings->constants, visibility);
 }
 
 void shading_apply(const ShadingSettings *settings, const Views *views,

@@ -3,11 +3,11 @@
 #ifndef STEP5_SHADING_H
 #define STEP5_SHADING_H
 
-#include "step1_shadowmap/base/picture/scene_draw.h" // SceneDraw
-#include "step3_moments/moments.h"                   // MomentsSettings
-#include "step4_blur/blur.h"                         // BlurSettings
-#include "step5_chebyshev/chebyshev.h"               // ChebyshevSettings
-#include "step5_chebyshev/soft.h"                    // SoftSettings
+#include "step1_shadowmap/base/picture/picture.h" // Picture
+#include "step3_moments/moments.h"                // MomentsSettings
+#include "step4_blur/blur.h"                      // BlurSettings
+#include "step5_chebyshev/chebyshev.h"            // ChebyshevSettings
+#include "step5_chebyshev/soft.h"                 // SoftSettings
 
 typedef struct ShadingSettings {
     MomentsSettings moments; // of the stages that the picture stands on
@@ -18,7 +18,6 @@ typedef struct ShadingSettings {
     bool soft;             // the penumbra is each receiver's own
     SoftSettings softness;
     bool hybrid; // comparisons in its penumbra, not moments
-    int reach;   // texels that a lookup reads to each side; 0: not known yet
     char constants[CHEBYSHEV_CONSTANTS_BYTES]; // of shading_constants
 } ShadingSettings;
 
@@ -36,11 +35,8 @@ ShadingSettings shading_settings(void);
 void shading_check(ShadingSettings *settings, BaseSettings *base,
                    const OptionTable tables[]);
 
-// facts_collect with room for the widest lookup, which it finds the first time,
-// and blur_plan_decide. Soft shadows look all of a layer up where
-// they look it up.
-void shading_look(ShadingSettings *settings, BlurPlan *plan, Facts *facts,
-                  Views *views, const Scene *scene, const BaseSettings *base);
+// The picture's lookups in a scene; soft shadows may look anywhere in a layer.
+Lookups shading_lookups(const ShadingSettings *settings, const Frame *frame);
 
 enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 
@@ -48,18 +44,15 @@ enum { SHADING_MAX_SHADERS = BLUR_MAX_SHADERS + 5 };
 // SHADING_MAX_SHADERS with the NULL at the end.
 void shading_shaders(const ShadingSettings *settings, const char *files[]);
 
-// What these files take for constants (see ShaderFiles), once the map's filter
-// exists; NULL if there is no map. A shader reads them in less time than
-// uniforms: Mesa's software driver gathers each number of a uniform for every
-// pixel. Valid as long as the settings.
-const char *shading_constants(ShadingSettings *settings, const Blur *filter);
+// The picture that these files and the scene's light make of the filtered map,
+// see picture_create. What the files take for constants is known then: a shader
+// reads them in less time than uniforms, for Mesa's software driver gathers
+// each number of a uniform for every pixel.
+void shading_picture(ShadingSettings *settings, Picture *picture, Frame *frame,
+                     Blur *filter);
 
-// The picture that these files and the scene's light make, see
-// scene_draw_create.
-SceneDraw shading_picture(const ShadingSettings *settings,
-                          const BaseSettings *base, Facts *facts);
-
-// Sets the uniforms of these files, but those of the filter's own lookup.
+// Sets the uniforms of these files, but those of the filter's own lookup. The
+// program is in use.
 void shading_apply(const ShadingSettings *settings, const Views *views,
                    GLuint program);
 

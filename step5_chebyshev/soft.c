@@ -50,16 +50,17 @@ static double widest_search(double light_size, const Views *views,
 // The least border's that is enough for the views which are fitted with it: the
 // wider the border, the larger the texels, of which fewer are needed.
 int soft_reach(const SoftSettings *settings, const BlurSettings *blur,
-               const BaseSettings *base, const Scene *scene)
+               const Frame *frame)
 {
-    int side = base->map_size[base->map_size[0] < base->map_size[1] ? 0 : 1];
+    const ViewsSize size = base_views_size(&frame->settings);
+    int side = size.map[size.map[0] < size.map[1] ? 0 : 1];
     int low = LEAST_DISC * blur->downsample;
     int high = side / 8 > low ? side / 8 : low;
     while (low < high) {
         Views views;
         int middle = (low + high) / 2;
-        views_fit(&views, scene, base, blur_reach(blur) + middle);
-        if (widest_search(settings->light_size, &views, &scene->light) <=
+        views_fit(&views, &frame->scene, &size, blur_reach(blur) + middle);
+        if (widest_search(settings->light_size, &views, &frame->scene.light) <=
             middle) {
             high = middle;
         } else {
@@ -90,7 +91,6 @@ static void set_distance(const Views *views, int layer, bool projected,
 void soft_apply(const SoftSettings *settings, const Views *views,
                 bool projected, GLuint program)
 {
-    glUseProgram(program);
     glUniform1f(glGetUniformLocation(program, "light_size"),
                 (float)settings->light_size);
     glUniform1f(glGetUniformLocation(program, "penumbra_scale"),

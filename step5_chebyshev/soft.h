@@ -18,9 +18,10 @@ enum { SOFT_TAPS = 32 };
 // the blur before it: what views_fit is to leave room for. At most an eighth of
 // the map, else most of it would hold what nobody sees.
 int soft_reach(const SoftSettings *settings, const BlurSettings *blur,
-               const BaseSettings *base, const Scene *scene);
+               const Frame *frame);
 
-// Sets the uniforms of penumbra.glsl; `projected` is how t is made.
+// Sets the uniforms of penumbra.glsl; `projected` is how t is made. The program
+// is in use.
 void soft_apply(const SoftSettings *settings, const Views *views,
                 bool projected, GLuint program);
 

@@ -226,7 +226,7 @@ my %mutants = (
     ],
     "an error in the tree's file, which was not read" => [
         'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
-        'find_shader(where, files[numbered',
+        'find_shader(program, files[numbered',
         'find_shader((ShaderFiles){0}, files[numbered'
     ],
     'a driver that crashes without a word' => [
@@ -247,7 +247,7 @@ my %mutants = (
         'touched[0].texels == 0', 'touched[0].texels == 1'
     ],
     'a picture that nobody asked for' => [
-        'robustness/written',          'step1_shadowmap/base/run/settings.c',
+        'robustness/written',          'step1_shadowmap/base/picture/settings.c',
         'other && !settings->window', 'other && settings->window'
     ],
     'a file in the place of a link' => [
@@ -654,8 +654,8 @@ my %mutants = (
     ],
     'the constants of one filter for all' => [
         'boxes', 'step4_blur/blur.c',
-        'settings, blur->filters[i].sides, blur->running',
-        'settings, blur->filters[0].sides, blur->running'
+        'blur->filters[filter].sides, blur->running',
+        'blur->filters[0].sides, blur->running'
     ],
     'a block that begins one texel late' => [
         'boxes', 'step4_blur/shaders/running_box.comp',
@@ -750,8 +750,9 @@ my %mutants = (
         ') + MARGIN_TEXELS;', ') - 2 * MARGIN_TEXELS;'
     ],
     'a blur that reads beyond what was drawn' => [
-        'plan',                'step4_blur/blur_plan.c',
-        'axis == 0 ? side : 0', 'axis == 0 ? side - 2 : 0'
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'target->reach[0], target->reach[1], size',
+        'target->reach[0] / 2, target->reach[1], size'
     ],
     'blocks that start where the rectangle does' => [
         'plan',
@@ -760,8 +761,9 @@ my %mutants = (
         'low + sides[1]'
     ],
     'a level of the chain that is not wide enough' => [
-        'plan',                   'step4_blur/blur_plan.c',
-        'settings->downsample << level', 'settings->downsample << 2 * level'
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'frame->views.width / target->width',
+        'frame->views.width * 2 / target->width'
     ],
     'what is half in the picture is left out' => [
         'plan',        'step1_shadowmap/base/light/volume.c',
@@ -774,15 +776,19 @@ my %mutants = (
         'add_slab(&volume, clip[1], clip[0])'
     ],
     'a plane that no bias keeps lit' => [
-        'plan', 'step1_shadowmap/shadow_map.c',
-        'settings->slope >= 1', 'settings->slope >= 0'
+        'plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
+        'lookups->slope_bias >= 1',
+        'lookups->slope_bias >= 0'
     ],
     'a plane that hardly varies is lit' => [
-        'plan', 'step5_chebyshev/shading.c', '0x1p-26 *', '0x1p25 *'
+        'plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
+        '0x1p-26 *',
+        '0x1p25 *'
     ],
     'a plane that is behind its own bias' => [
-        'plan', 'step1_shadowmap/shadow_map.c', 'settings->constant >',
-        '1 >'
+        'plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
+        'lookups->bias > lookups->rounding',
+        '1 > lookups->rounding'
     ],
     'a lookup of a map that does not reach so far' => [
         'looked_up', 'step1_shadowmap/shaders/scene.frag',
@@ -794,19 +800,22 @@ my %mutants = (
         'lookups = 0;', ''
     ],
     'a bias may push receivers behind what is left out' => [
-        'plan', 'step1_shadowmap/shadow_map.c', 'settings->constant >= 0 &&',
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'lookups->bias >= 0 &&',
         ''
     ],
     'what is behind some receiver is left out' => [
-        'plan', 'step1_shadowmap/base/leave_out/facts.c',
-        'facts->layers[layer].deepest +', '0.5 * facts->layers[layer].deepest -'
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        '? left->layer[layer].deepest',
+        '? 0.5 * left->layer[layer].deepest'
     ],
     'moments without what is behind all receivers' => [
-        'plan', 'step1_shadowmap/base/leave_out/facts.c', 'facts->compared &&', ''
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'lookups->compares &&',
+        ''
     ],
     'an object that moves and leaves its shadow' => [
-        'plan',
-        'step1_shadowmap/map_plan.c',
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'object->transform, sizeof object->transform',
         'object->albedo, sizeof object->albedo'
     ],
@@ -921,21 +930,19 @@ my %mutants = (
         "if \$word !~", "if 0 && \$word !~"
     ],
     'a map that is drawn again for what is elsewhere' => [
-        'robustness/touched',
-        'step1_shadowmap/map_plan.c',
-        'layer->stamp != layer->drawn_stamp',
-        'layer->stamp + 1 != layer->drawn_stamp'
+        'robustness/touched', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'made_from != left->layer[layer].drawn_from',
+        'made_from + 1 != left->layer[layer].drawn_from'
     ],
     'an object that moved is where it was' => [
-        'plan',
-        'step1_shadowmap/base/leave_out/facts.c',
+        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'i < scene->object_count; i++) {
-        stamp_add(', 'i < 0; i++) {
+        stamp_add(',
+        'i < 0; i++) {
         stamp_add('
     ],
     'casters only where receivers are' => [
-        'plan',
-        'step1_shadowmap/base/leave_out/facts.c',
+        'plan', 'step1_shadowmap/base/leave_out/casters.c',
         'high[axis] = (texels->high[axis] + 1.0)',
         'high[axis] = (texels->low[axis] + 1.0)'
     ],

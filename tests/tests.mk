@@ -131,10 +131,12 @@ fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stabili
 	    -e "output='out/stability/fuzz.$$kind'" \
 	    tests/stability/fuzz.gp || exit 1; done
 
-figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## make every committed picture again
+figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## make every committed picture again, and print the READMEs' numbers
 	@for p in $(PROGRAMS); do \
 	    sh tests/report/figures.sh $(BUILD) $$p || exit 1; done
 	@sh tests/report/headline.sh $(BUILD)
+	@VSM_BUILD=$(BUILD) perl tests/report/saved.pl \
+	    room:turn=-100 grazing empty unlit offstage
 
 CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
 lint: programs $(BUILD)/oracle ## compile with gcc and clang without a warning, check the format

@@ -2,9 +2,10 @@
 # from its list. Before this: ROOT (the tree's top), PROGRAMS (their names) and
 # for each program the list of that name.
 
-# Its rooms, the lowest first.
-base_rooms := system files gl scene light leave_out picture run
+# Its rooms, the lowest first: base/README.md says what is where.
+base_rooms := system files gl scene light picture leave_out run
 base := step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh \
+    step1_shadowmap/base/README.md \
     $(patsubst $(ROOT)/%,%,$(wildcard \
     $(base_rooms:%=$(ROOT)/step1_shadowmap/base/%/*.[ch]*))) \
     step1_shadowmap/shaders/surface.glsl \

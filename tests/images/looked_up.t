@@ -1,4 +1,4 @@
-# What the picture needs of each map, as base/facts finds it from the scene
+# What the picture needs of each map, as base/leave_out finds it from the scene
 # alone, against the pixels that look it up: none outside of its rectangle, and
 # not many more texels than they need.
 use strict;

@@ -15,7 +15,7 @@ rmse=$(awk -F, '$1 == "footprint" { printf "%.4f", $5 }' "$dump/errors.csv")
 gnuplot -e "input='$dump/error.footprint.bin'; width=640; height=360;
     name='$program: visibility against footprint truth, RMSE $rmse';
     output='$program/error.png'" tests/report/error_picture.gp
-echo "$program/figure.png $program/error.png"
+echo "$program/figure.png $program/error.png: RMSE $rmse"
 
 # panel NAME OPTION...: what $drawn draws, one part of a technique's picture.
 panel() {

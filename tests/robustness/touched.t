@@ -72,13 +72,11 @@ is_deeply(
     ],
     'downsampling, three boxes and mip-maps'
 );
-my $attributes = ( $found->{shading}[0] - $pixels ) / $pixels;
+my $attributes =
+  ( $found->{shading}[1] - $pixels * ( 16 + 4 ) ) / ( $pixels * 2 * 16 );
 is_deeply(
     $found->{shading},
-    [
-        $pixels + $attributes * $pixels,
-        $pixels * 20 + $attributes * $pixels * 2 * 16
-    ],
+    [ 2 * $pixels, $pixels * ( 16 + 4 ) + int($attributes) * $pixels * 2 * 16 ],
     'a G-buffer, written and read'
 );
 cmp_ok( $attributes, '>=', 3, 'position, normal and albedo' );

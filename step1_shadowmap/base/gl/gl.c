@@ -48,6 +48,21 @@ static void check_memory(GLenum format, int width, int height, int layers)
                  layers, layers == 1 ? "" : "s");
 }
 
+static void allocate_level(GLenum format, int level, int width, int height,
+                           int layers)
+{
+    bool whole = format == GL_RG32UI; // numbers
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, width, height,
+                 layers, 0, whole ? GL_RG_INTEGER : GL_RED,
+                 whole ? GL_UNSIGNED_INT : GL_FLOAT, NULL);
+}
+
+void gl_add_level(GLenum format, int level, int width, int height, int layers)
+{
+    check_memory(format, width, height, layers);
+    allocate_level(format, level, width, height, layers);
+}
+
 GLuint gl_texture_array(GLenum format, int width, int height, int layers,
                         Sampling sampling)
 {
@@ -56,8 +71,7 @@ GLuint gl_texture_array(GLenum format, int width, int height, int layers,
     check_memory(format, width, height, layers);
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, (GLint)format, width, height, layers,
-                 0, GL_RED, GL_FLOAT, NULL);
+    allocate_level(format, 0, width, height, layers);
     GLenum target = GL_TEXTURE_2D_ARRAY;
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
@@ -84,13 +98,14 @@ GLuint gl_sampler(Sampling sampling)
 size_t gl_texel_bytes(GLenum format)
 {
     switch (format) {
-    case GL_NONE: // of a map that the plan left out
+    case GL_NONE: // no such output
         return 0;
     case GL_R32F:
     case GL_RG16F:
     case GL_DEPTH_COMPONENT32F:
         return 4;
     case GL_RG32F:
+    case GL_RG32UI:
         return 8;
     case GL_RGBA32F:
         return 16;
@@ -113,40 +128,51 @@ GLuint gl_texture(GLenum format, int width, int height)
     return texture;
 }
 
-GLuint gl_layer_framebuffer(GLuint texture, int layer, GLuint depth_buffer)
+// Textures and renderbuffers have a limit each, and ours has both.
+static void check_samples(int samples)
 {
-    GLuint framebuffer;
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0,
-                              layer);
-    if (depth_buffer != 0) {
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
-                                  GL_RENDERBUFFER, depth_buffer);
+    GLint of_textures = 0, of_buffers = 0;
+    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &of_textures);
+    glGetIntegerv(GL_MAX_SAMPLES, &of_buffers);
+    int limit = of_textures < of_buffers ? of_textures : of_buffers;
+    if (samples > limit) {
+        die_usage("--msaa %d is over this driver's limit of %d samples",
+                  samples, limit);
     }
-    gl_check_framebuffer("of a map's layer");
-    return framebuffer;
 }
 
-GLuint gl_level_framebuffer(GLuint texture, int level, int layer)
+// A driver may make more samples than were asked for: which it can make, only
+// the texture says.
+GLuint gl_texture_samples(GLenum format, int width, int height, int samples)
 {
-    GLuint framebuffer;
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture,
-                              level, layer);
-    gl_check_framebuffer("of a map's mip-map level");
-    return framebuffer;
+    GLenum target = GL_TEXTURE_2D_MULTISAMPLE;
+    GLuint texture;
+    GLint made = 0;
+    check_samples(samples);
+    memory_check(
+        (size_t)samples * (size_t)width * (size_t)height *
+            (gl_texel_bytes(format) + gl_texel_bytes(GL_DEPTH_COMPONENT32F)),
+        "%d samples of %dx%d texels", samples, width, height);
+    glGenTextures(1, &texture);
+    glBindTexture(target, texture);
+    glTexImage2DMultisample(target, samples, format, width, height, GL_TRUE);
+    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_SAMPLES, &made);
+    if (made != samples) {
+        die_usage("--msaa %d: this driver makes %d samples of it: give %d, or "
+                  "drop --msaa",
+                  samples, made, made);
+    }
+    return texture;
 }
 
-GLuint gl_depth_buffer(int width, int height)
+GLuint gl_depth_buffer(int width, int height, int samples)
 {
     GLuint buffer;
     check_memory(GL_DEPTH_COMPONENT32F, width, height, 1);
     glGenRenderbuffers(1, &buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width,
-                          height);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples,
+                                     GL_DEPTH_COMPONENT32F, width, height);
     return buffer;
 }
 
@@ -154,7 +180,7 @@ void gl_check_framebuffer(const char *what)
 {
     GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
-        die("the framebuffer %s is incomplete (status 0x%x)", what, status);
+        die("the framebuffer of %s is incomplete (status 0x%x)", what, status);
     }
 }
 
@@ -173,7 +199,12 @@ float *gl_read(GLuint framebuffer, int attachment, int width, int height,
 float *gl_read_layer(GLuint texture, int level, int layer, int width,
                      int height, int channels)
 {
-    GLuint framebuffer = gl_level_framebuffer(texture, level, layer);
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture,
+                              level, layer);
+    gl_check_framebuffer("a map's layer");
     float *values = gl_read(framebuffer, 0, width, height, channels);
     glDeleteFramebuffers(1, &framebuffer);
     return values;

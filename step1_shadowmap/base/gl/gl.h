@@ -17,54 +17,52 @@ typedef GlFunction (*GlLoader)(const char *name);
 // makes every GL error fatal from here on.
 void gl_load(GlLoader loader);
 
-// Where shader files are looked up: first below `directory` (NULL: nowhere),
-// then in the source tree. Names are paths from the tree's top, such as
-// "step1_shadowmap/shaders/scene.frag". What the files take for constants, and
-// is known only at run time, is put in front of them: definitions in GLSL, or
-// NULL, which stay valid as long as the program.
-typedef struct ShaderFiles {
-    const char *directory;
-    const char *constants;
-} ShaderFiles;
-
 enum { PROGRAM_MAX_FILES = 24 };
 
-// A program, and the files that it is made of: names that stay valid, NULL
-// after the last. It has either vertex and fragment files, or compute files.
-typedef struct Program {
-    GLuint id;
-    ShaderFiles where;
-    const char *compute[PROGRAM_MAX_FILES + 1];
-    const char *vertex[PROGRAM_MAX_FILES + 1];
-    const char *geometry[PROGRAM_MAX_FILES + 1]; // none: no such stage
-    const char *fragment[PROGRAM_MAX_FILES + 1];
-} Program;
+typedef struct Program Program;
+
+// Where shader files are looked up: first below `directory` (NULL: nowhere),
+// then in the source tree. Names are paths from the tree's top, such as
+// "step1_shadowmap/shaders/scene.frag". And all programs made of them.
+typedef struct Shaders {
+    const char *directory;
+    Program *programs;
+} Shaders;
 
 // A program of several shader files: each list ends with NULL and its files
-// are compiled as one shader, in that order. They carry no #version line (it
-// may come only once, before all else); 330 core is put in front. A compile
-// error stops the run with the file and line that it is in.
-Program gl_program(ShaderFiles where, const char *const vertex[],
-                   const char *const fragment[]);
+// are compiled as one shader, in that order; the names stay valid. They carry
+// no #version line (it may come only once, before all else); 330 core is put in
+// front. So are `constants`, of which a copy is kept: definitions in GLSL of
+// what is known only at run time, or NULL. Nothing is read or compiled before
+// the program is used.
+Program *gl_program(Shaders *shaders, const char *constants,
+                    const char *const vertex[], const char *const fragment[]);
+
+// The same with a geometry shader between the two.
+Program *gl_program_of_triangles(Shaders *shaders, const char *constants,
+                                 const char *const vertex[],
+                                 const char *const geometry[],
+                                 const char *const fragment[]);
 
 // Whether this driver has compute shaders (OpenGL 4.3).
 bool gl_has_compute(void);
 
 // The same of a compute shader, which is in version 430 core.
-Program gl_compute_program(ShaderFiles where, const char *const files[]);
+Program *gl_compute_program(Shaders *shaders, const char *constants,
+                            const char *const files[]);
 
-// The same with a geometry shader between the two.
-Program gl_program_of_triangles(ShaderFiles where, const char *const vertex[],
-                                const char *const geometry[],
-                                const char *const fragment[]);
+// Uses the program from here on, and returns its name for glUniform. Compiles
+// it the first time: an error stops the run with the file and line that it is
+// in.
+GLuint gl_use(Program *program);
 
-// Reads the files again. If they compile, the new program takes the old one's
-// place, with all its uniforms at 0; else one line on stderr gives the file and
-// line, the old program stays, and the result is false. A program that was
-// never made (all zero) is left alone.
-bool gl_program_reload(Program *program);
+// Reads the files of all programs that were used again. If they compile, the
+// new programs take the place of the old ones, with all uniforms at 0; else one
+// line on stderr gives the file and line, that program stays as it was, and the
+// result is false.
+bool gl_reload(Shaders *shaders);
 
-void gl_program_destroy(Program *program);
+void gl_destroy_programs(Shaders *shaders);
 
 // How a map is looked up.
 typedef struct Sampling {
@@ -87,17 +85,17 @@ size_t gl_texel_bytes(GLenum format);
 // A plain 2D texture, read with texelFetch.
 GLuint gl_texture(GLenum format, int width, int height);
 
-// A framebuffer that draws into one layer of an array texture; depth_buffer is
-// a renderbuffer or 0.
-GLuint gl_layer_framebuffer(GLuint texture, int layer, GLuint depth_buffer);
+// Adds a mip-map level to the array texture that is bound.
+void gl_add_level(GLenum format, int level, int width, int height, int layers);
 
-// The same for one mip-map level, without depth.
-GLuint gl_level_framebuffer(GLuint texture, int level, int layer);
+// A 2D texture of so many samples per texel. Refuses (status 2, it is --msaa's)
+// a number that this driver does not have.
+GLuint gl_texture_samples(GLenum format, int width, int height, int samples);
 
-// A renderbuffer of 32-bit float depth.
-GLuint gl_depth_buffer(int width, int height);
+// A renderbuffer of 32-bit float depth; samples 0: one for each texel.
+GLuint gl_depth_buffer(int width, int height, int samples);
 
-// Dies if the bound draw framebuffer is incomplete; `what` names it.
+// Dies if the bound draw framebuffer is incomplete; `what` names what it draws.
 void gl_check_framebuffer(const char *what);
 
 // The float texels of colour attachment `attachment` of a framebuffer: rows

@@ -20,6 +20,19 @@ enum {
     MESSAGE_BYTES = PATH_BYTES + LOG_BYTES + 64
 };
 
+struct Program {
+    GLuint id; // 0 before the program is used
+    Program *next;
+    const Shaders *shaders;
+    char *constants; // or NULL
+    // Names of files, NULL after the last. It has either vertex and fragment
+    // files, or compute files.
+    const char *compute[PROGRAM_MAX_FILES + 1];
+    const char *vertex[PROGRAM_MAX_FILES + 1];
+    const char *geometry[PROGRAM_MAX_FILES + 1]; // none: no such stage
+    const char *fragment[PROGRAM_MAX_FILES + 1];
+};
+
 // What is left of the file as a string; NULL if it cannot be read.
 static char *read_all(FILE *file)
 {
@@ -43,12 +56,12 @@ static bool is_there(const char *path)
 
 // The file that is read for this name: that of --shaders, or the tree's. False
 // where there is no tree.
-static bool find_shader(ShaderFiles where, const char *name,
+static bool find_shader(const Program *program, const char *name,
                         char path[PATH_BYTES])
 {
     char tree[FILE_NAME_BYTES];
-    if (where.directory != NULL) {
-        snprintf(path, PATH_BYTES, "%s/%s", where.directory, name);
+    if (program->shaders->directory != NULL) {
+        snprintf(path, PATH_BYTES, "%s/%s", program->shaders->directory, name);
         if (is_there(path)) {
             return true;
         }
@@ -59,10 +72,11 @@ static bool find_shader(ShaderFiles where, const char *name,
 }
 
 // The text of a shader file, or NULL and what is wrong with it.
-static char *read_shader(ShaderFiles where, const char *name, char *message)
+static char *read_shader(const Program *program, const char *name,
+                         char *message)
 {
     char path[PATH_BYTES];
-    if (!find_shader(where, name, path)) {
+    if (!find_shader(program, name, path)) {
         snprintf(message, MESSAGE_BYTES,
                  "no shaders: this program is in no folder below one that "
                  "holds %s; put it back, or say --shaders DIR",
@@ -90,7 +104,7 @@ static char *read_shader(ShaderFiles where, const char *name, char *message)
 // "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). The
 // message is the first line that says "error", with the name of the file that
 // was read and its own line.
-static void explain_log(const char *log, ShaderFiles where,
+static void explain_log(const char *log, const Program *program,
                         const char *const files[], char *message)
 {
     char path[PATH_BYTES];
@@ -109,7 +123,8 @@ static void explain_log(const char *log, ShaderFiles where,
     bool numbered =
         sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) == 1 &&
         number / LINES_PER_FILE <= file;
-    find_shader(where, files[numbered ? number / LINES_PER_FILE : file], path);
+    find_shader(program, files[numbered ? number / LINES_PER_FILE : file],
+                path);
     if (numbered) {
         snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s", path,
                  number % LINES_PER_FILE, length - skipped, line + skipped);
@@ -119,7 +134,7 @@ static void explain_log(const char *log, ShaderFiles where,
 }
 
 // The shader, or 0 and the message.
-static GLuint compile_texts(GLenum type, ShaderFiles where,
+static GLuint compile_texts(GLenum type, const Program *program,
                             const char *const files[], int count,
                             char *const texts[], char *message)
 {
@@ -130,7 +145,7 @@ static GLuint compile_texts(GLenum type, ShaderFiles where,
     const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {
         type == GL_COMPUTE_SHADER ? "#version 430 core\n"
                                   : "#version 330 core\n",
-        where.constants == NULL ? "" : where.constants};
+        program->constants == NULL ? "" : program->constants};
     for (int i = 0; i < count; i++) {
         snprintf(before[i], sizeof before[i], "\n#line %d\n",
                  i * LINES_PER_FILE + 1);
@@ -145,26 +160,26 @@ static GLuint compile_texts(GLenum type, ShaderFiles where,
     if (!compiled) {
         char log[LOG_BYTES] = "";
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        explain_log(log, where, files, message);
+        explain_log(log, program, files, message);
         glDeleteShader(shader);
         return 0;
     }
     return shader;
 }
 
-static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
-                      char *message)
+static GLuint compile(const Program *program, GLenum type,
+                      const char *const files[], char *message)
 {
     char *texts[PROGRAM_MAX_FILES] = {NULL};
     GLuint shader = 0;
     int count = 0;
     bool complete = true;
     while (complete && files[count] != NULL) {
-        texts[count] = read_shader(where, files[count], message);
+        texts[count] = read_shader(program, files[count], message);
         complete = texts[count++] != NULL;
     }
     if (complete) {
-        shader = compile_texts(type, where, files, count, texts, message);
+        shader = compile_texts(type, program, files, count, texts, message);
     }
     for (int i = 0; i < count; i++) {
         free(texts[i]);
@@ -174,8 +189,9 @@ static GLuint compile(ShaderFiles where, GLenum type, const char *const files[],
 
 // The linked program, or 0 and the message, which blames the last shader's
 // files.
-static GLuint link_shaders(ShaderFiles where, int count, const GLuint shaders[],
-                           const char *const files[], char *message)
+static GLuint link_shaders(const Program *program, int count,
+                           const GLuint shaders[], const char *const files[],
+                           char *message)
 {
     GLuint id = glCreateProgram();
     for (int i = 0; i < count; i++) {
@@ -190,7 +206,7 @@ static GLuint link_shaders(ShaderFiles where, int count, const GLuint shaders[],
     if (!linked) {
         char log[LOG_BYTES] = "";
         glGetProgramInfoLog(id, sizeof log, NULL, log);
-        explain_log(log, where, files, message);
+        explain_log(log, program, files, message);
         glDeleteProgram(id);
         return 0;
     }
@@ -201,10 +217,9 @@ static GLuint build_compute(const Program *program, char *message)
 {
     GLuint id = 0;
     GLuint shader =
-        compile(program->where, GL_COMPUTE_SHADER, program->compute, message);
+        compile(program, GL_COMPUTE_SHADER, program->compute, message);
     if (shader != 0) {
-        id =
-            link_shaders(program->where, 1, &shader, program->compute, message);
+        id = link_shaders(program, 1, &shader, program->compute, message);
     }
     glDeleteShader(shader);
     return id;
@@ -223,13 +238,11 @@ static GLuint build_drawing(const Program *program, char *message)
     GLuint shaders[3] = {0};
     bool compiled = true;
     for (int i = 0; compiled && i < count; i++) {
-        shaders[i] =
-            compile(program->where, stages[i].type, stages[i].files, message);
+        shaders[i] = compile(program, stages[i].type, stages[i].files, message);
         compiled = shaders[i] != 0;
     }
     if (compiled) {
-        id = link_shaders(program->where, count, shaders, program->fragment,
-                          message);
+        id = link_shaders(program, count, shaders, program->fragment, message);
     }
     for (int i = 0; i < count; i++) {
         glDeleteShader(shaders[i]); // the name 0 is ignored
@@ -255,63 +268,82 @@ static void copy_names(const char *const from[], const char *to[])
     to[count] = NULL;
 }
 
-static void build_or_die(Program *program)
+static Program *add_program(Shaders *shaders, const char *constants)
+{
+    Program *program = allocate(1, sizeof *program);
+    program->shaders = shaders;
+    program->next = shaders->programs;
+    shaders->programs = program;
+    if (constants != NULL) {
+        program->constants = allocate(strlen(constants) + 1, 1);
+        strcpy(program->constants, constants);
+    }
+    return program;
+}
+
+Program *gl_program(Shaders *shaders, const char *constants,
+                    const char *const vertex[], const char *const fragment[])
+{
+    Program *program = add_program(shaders, constants);
+    copy_names(vertex, program->vertex);
+    copy_names(fragment, program->fragment);
+    return program;
+}
+
+Program *gl_program_of_triangles(Shaders *shaders, const char *constants,
+                                 const char *const vertex[],
+                                 const char *const geometry[],
+                                 const char *const fragment[])
+{
+    Program *program = gl_program(shaders, constants, vertex, fragment);
+    copy_names(geometry, program->geometry);
+    return program;
+}
+
+Program *gl_compute_program(Shaders *shaders, const char *constants,
+                            const char *const files[])
+{
+    Program *program = add_program(shaders, constants);
+    copy_names(files, program->compute);
+    return program;
+}
+
+GLuint gl_use(Program *program)
 {
     char message[MESSAGE_BYTES];
-    program->id = build(program, message);
+    if (program->id == 0) {
+        program->id = build(program, message);
+    }
     if (program->id == 0) {
         die("%s", message);
     }
+    glUseProgram(program->id);
+    return program->id;
 }
 
-Program gl_program(ShaderFiles where, const char *const vertex[],
-                   const char *const fragment[])
-{
-    Program program = {.where = where};
-    copy_names(vertex, program.vertex);
-    copy_names(fragment, program.fragment);
-    build_or_die(&program);
-    return program;
-}
-
-Program gl_program_of_triangles(ShaderFiles where, const char *const vertex[],
-                                const char *const geometry[],
-                                const char *const fragment[])
-{
-    Program program = {.where = where};
-    copy_names(vertex, program.vertex);
-    copy_names(geometry, program.geometry);
-    copy_names(fragment, program.fragment);
-    build_or_die(&program);
-    return program;
-}
-
-Program gl_compute_program(ShaderFiles where, const char *const files[])
-{
-    Program program = {.where = where};
-    copy_names(files, program.compute);
-    build_or_die(&program);
-    return program;
-}
-
-bool gl_program_reload(Program *program)
+bool gl_reload(Shaders *shaders)
 {
     char message[MESSAGE_BYTES];
-    if (program->id == 0) {
-        return true;
+    for (Program *program = shaders->programs; program != NULL;
+         program = program->next) {
+        GLuint id = program->id == 0 ? 0 : build(program, message);
+        if (id == 0 && program->id != 0) {
+            complain("%s", message);
+            return false;
+        }
+        glDeleteProgram(program->id); // the name 0 is ignored
+        program->id = id;
     }
-    GLuint id = build(program, message);
-    if (id == 0) {
-        complain("%s", message);
-        return false;
-    }
-    glDeleteProgram(program->id);
-    program->id = id;
     return true;
 }
 
-void gl_program_destroy(Program *program)
+void gl_destroy_programs(Shaders *shaders)
 {
-    glDeleteProgram(program->id); // the name 0 is ignored
-    *program = (Program){.id = 0};
+    while (shaders->programs != NULL) {
+        Program *program = shaders->programs;
+        shaders->programs = program->next;
+        glDeleteProgram(program->id);
+        free(program->constants);
+        free(program);
+    }
 }

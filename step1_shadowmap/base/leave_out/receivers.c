@@ -276,8 +276,8 @@ static Rect rounded(const Reach *reach, const int size[2])
     return rect;
 }
 
-void receivers_find(LayerFacts layers[], const Scene *scene, const Views *views,
-                    const int picture[2])
+void receivers_find(Views *views, const Scene *scene, const int picture[2],
+                    double deepest[])
 {
     const int size[2] = {views->width, views->height};
     Collector all = {.views = views, .picture = volume_of_picture(views)};
@@ -291,7 +291,7 @@ void receivers_find(LayerFacts layers[], const Scene *scene, const Views *views,
         include_object(&all, &scene->objects[views->seen.objects[i]]);
     }
     for (int layer = 0; layer < views->layers; layer++) {
-        layers[layer] =
-            (LayerFacts){rounded(&all.reach[layer], size), all.deepest[layer]};
+        views->light[layer].looked_up = rounded(&all.reach[layer], size);
+        deepest[layer] = all.deepest[layer];
     }
 }

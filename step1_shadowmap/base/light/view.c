@@ -66,54 +66,24 @@ static void fit_light(Views *views, const Scene *scene, double aspect,
     }
 }
 
-// What is outside by nothing at all is half a pixel from the next pixel's
-// middle, and a rasteriser moves corners by far less.
-static bool misses_picture(const Views *views, const Object *object)
-{
-    Volume picture = volume_of_picture(views);
-    double corners[8][3];
-    volume_object_box(object, views->origin, corners);
-    return volume_misses(&picture, corners);
-}
-
-static void cull(Views *views, const Scene *scene)
-{
-    DrawList *list = &views->seen;
-    int kept = 0;
-    for (int i = 0; i < list->count; i++) {
-        int object = list->objects[i];
-        if (!misses_picture(views, &scene->objects[object])) {
-            list->objects[kept++] = object;
-        }
-    }
-    list->count = kept;
-}
-
-// Of a light's views the facts know more: see facts_list_casters.
-static void list_objects(Views *views, const Scene *scene, bool all)
-{
-    draw_list_nearest_first(&views->seen, scene);
-    if (!all) {
-        cull(views, scene);
-    }
-    for (int layer = 0; layer < views->layers; layer++) {
-        draw_list_all(&views->light[layer].seen, scene);
-    }
-}
-
-void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
+void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
                int reach)
 {
-    double aspect = (double)settings->size[0] / settings->size[1];
+    double aspect = (double)size->picture[0] / size->picture[1];
     memset(views, 0, sizeof *views);
     dvec_copy(scene->camera.position, views->origin);
     fit_camera(views, scene, aspect);
-    views->width = settings->map_size[0];
-    views->height = settings->map_size[1];
+    views->width = size->map[0];
+    views->height = size->map[1];
     int side = least(views->width, views->height);
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
-    fit_light(views, scene, aspect, settings->splits);
-    list_objects(views, scene, settings->keep_all);
+    fit_light(views, scene, aspect, size->splits);
+    draw_list_nearest_first(&views->seen, scene);
+    for (int layer = 0; layer < views->layers; layer++) {
+        LightView *view = &views->light[layer];
+        draw_list_all(&view->seen, scene);
+        view->looked_up = rect_whole(views->width, views->height);
+    }
 }
 
 double view_light_depth(const Views *views, int layer, const double position[3])

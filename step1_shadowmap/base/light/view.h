@@ -7,11 +7,11 @@
 
 #include <glad/gl.h>
 
+#include "step1_shadowmap/base/gl/rect.h"         // Rect
 #include "step1_shadowmap/base/scene/draw_list.h" // DrawList
 #include "step1_shadowmap/base/scene/scene.h"     // Scene
-#include "step1_shadowmap/base/run/settings.h"    // BaseSettings
 
-enum { VIEW_MAX_LAYERS = SETTINGS_MAX_SPLITS }; // more than a point's 6
+enum { VIEW_MAX_LAYERS = 8 }; // splits, which are more than a point's 6
 
 // What the light sees in one layer of its map. The rows of map_from_relative
 // give (u w, v w, z w, w) of a relative position: u and v in [0, 1] across the
@@ -30,7 +30,8 @@ typedef struct LightView {
     // Of a split: the view depth where it ends, and where it begins to hand
     // over to the next one, world units. 0 where there are no splits.
     double handover, end;
-    DrawList seen; // what is drawn into the layer
+    DrawList seen;  // what is drawn into the layer
+    Rect looked_up; // the texels that receivers in the picture lie in
 } LightView;
 
 typedef struct Views {
@@ -48,14 +49,21 @@ typedef struct Views {
                 // looks up, but those outside a parallel light's casters
 } Views;
 
+typedef struct ViewsSize {
+    int picture[2]; // pixels
+    int map[2];     // texels of a layer
+    int splits;     // views of a directional light
+} ViewsSize;
+
 // Fits the views to the scene: one for a directional and a spot light, six for
-// a point light, one per split. `reach` is how many texels a filter reads to
-// each side. Texels are square in the world. The border is at least twice the
-// reach: a receiver within reach of a caster must not have the map's edge
-// within reach too, or the far depth outside would join the caster and the
-// receiver under its filter. It is at least a 16th of the map, so that filters
-// of different width see the same texels.
-void views_fit(Views *views, const Scene *scene, const BaseSettings *settings,
+// a point light, one per split. Everything is drawn into each and looked up.
+// `reach` is how many texels a filter reads to each side. Texels are square in
+// the world. The border is at least twice the reach: a receiver within reach of
+// a caster must not have the map's edge within reach too, or the far depth
+// outside would join the caster and the receiver under its filter. It is at
+// least a 16th of the map, so that filters of different width see the same
+// texels.
+void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
                int reach);
 
 // t of a position in a layer.

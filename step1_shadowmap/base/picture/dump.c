@@ -17,15 +17,21 @@ void dump_image(const char *directory, const char *name, const float *pixels,
     image_write(path, pixels, width, height, channels);
 }
 
-void dump_layers(const char *directory, const char *name, GLuint texture,
-                 int width, int height, int layers, int channels)
+void dump_target(Target *target, const char *directory)
 {
-    for (int layer = 0; layer < layers; layer++) {
-        char layer_name[64];
-        snprintf(layer_name, sizeof layer_name, "%s.%d", name, layer);
-        float *texels =
-            gl_read_layer(texture, 0, layer, width, height, channels);
-        dump_image(directory, layer_name, texels, width, height, channels);
+    GLuint texture = target_texture(target);
+    int channels = target->formats[0] == GL_R32F ? 1 : 2;
+    for (int layer = 0; layer < target->layers; layer++) {
+        char name[64];
+        int length = snprintf(name, sizeof name, "%s.%d", target->file, layer);
+        if (target->level > 0) {
+            snprintf(name + length, sizeof name - (size_t)length, ".m%d",
+                     target->level);
+        }
+        float *texels = gl_read_layer(texture, target->level, layer,
+                                      target->width, target->height, channels);
+        dump_image(directory, name, texels, target->width, target->height,
+                   channels);
         free(texels);
     }
 }
@@ -59,10 +65,8 @@ static void write_looked_up(FILE *file, const Rect *rect)
             rect->low[1], rect->high[0], rect->high[1]);
 }
 
-static void write_views(FILE *file, const Facts *facts)
+static void write_views(FILE *file, const Views *views, const Light *light)
 {
-    const Views *views = facts->views;
-    const Light *light = &facts->scene->light;
     const double *origin = views->origin;
     fprintf(file, "  \"origin\": [%.17g, %.17g, %.17g],\n", origin[0],
             origin[1], origin[2]);
@@ -80,7 +84,7 @@ static void write_views(FILE *file, const Facts *facts)
                 view->near, view->far, views->width, views->height,
                 views->border);
         write_place(file, views, light);
-        write_looked_up(file, &facts->layers[i].looked_up);
+        write_looked_up(file, &view->looked_up);
         if (view->end > 0) {
             fprintf(file, ", \"handover\": %.17g, \"end\": %.17g",
                     view->handover, view->end);
@@ -100,37 +104,38 @@ static void write_passes(FILE *file, const Stopwatch *stopwatch)
     fputs("]\n", file);
 }
 
-static void write_run(FILE *file, const Run *run)
+static void write_run(FILE *file, const Frame *frame)
 {
-    const BaseSettings *base = run->facts->settings;
+    const BaseSettings *base = &frame->settings;
     fprintf(file, "{\n  \"program\": \"%s\",\n  \"step\": %d,\n", base->program,
-            base->program[4] - '0');
+            base->step);
     fputs("  \"scene\": ", file);
     options_write_text(file, base->scene);
     fputs(",\n  \"options\": {", file);
-    options_write_json(file, run->tables);
+    options_write_json(file, frame->options);
     fputs("\n  },\n", file);
-    write_views(file, run->facts);
-    fprintf(file, "  \"map_bytes\": %zu,\n", run->map_bytes);
+    write_views(file, &frame->views, &frame->scene.light);
+    fprintf(file, "  \"map_bytes\": %zu,\n",
+            targets_map_bytes(&frame->targets));
     fprintf(file, "  \"gl_renderer\": \"%s\",\n",
             (const char *)glGetString(GL_RENDERER));
     fprintf(file, "  \"gl_version\": \"%s\",\n",
             (const char *)glGetString(GL_VERSION));
-    write_passes(file, run->stopwatch);
+    write_passes(file, &frame->clock);
     fputs("}\n", file);
 }
 
-void dump_run(const Run *run)
+void dump_run(const Frame *frame)
 {
     char path[FILE_NAME_BYTES];
     char *text = NULL;
     size_t length = 0;
-    snprintf(path, sizeof path, "%s/run.json", run->facts->settings->dump);
+    snprintf(path, sizeof path, "%s/run.json", frame->settings.dump);
     FILE *memory = open_memstream(&text, &length);
     if (memory == NULL) {
         die("no memory for %s", path);
     }
-    write_run(memory, run);
+    write_run(memory, frame);
     if (fclose(memory) != 0) {
         die("no memory for %s", path);
     }

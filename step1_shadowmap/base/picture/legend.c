@@ -28,7 +28,7 @@ static int set_text(GLuint program, const char *text)
     return count;
 }
 
-Legend legend_create(ShaderFiles files, const ShowMode *mode, int width,
+Legend legend_create(Shaders *shaders, const ShowMode *mode, int width,
                      int height)
 {
     Legend legend = {.width = width, .height = height};
@@ -39,18 +39,16 @@ Legend legend_create(ShaderFiles files, const ShowMode *mode, int width,
     const char *fragment[] = {mode->scale,
                               "step1_shadowmap/shaders/legend.frag", NULL};
     legend.text = mode->legend;
-    legend.program = gl_program(files, vertex, fragment);
-    glGenVertexArrays(1, &legend.empty_vao);
+    legend.program = gl_program(shaders, NULL, vertex, fragment);
     return legend;
 }
 
-void legend_draw(const Legend *legend)
+void legend_draw(const Legend *legend, GLuint empty_vao)
 {
-    GLuint program = legend->program.id;
-    if (program == 0) {
+    if (legend->program == NULL) {
         return;
     }
-    glUseProgram(program);
+    GLuint program = gl_use(legend->program);
     int count = set_text(program, legend->text);
     int zoom = 1 + legend->height / 360;
     int corner = 4 * zoom;
@@ -64,17 +62,5 @@ void legend_draw(const Legend *legend)
     glDrawBuffers(1, all);
     glDisable(GL_DEPTH_TEST);
     glViewport(corner, corner, width, height);
-    gl_draw_fullscreen(legend->empty_vao);
-}
-
-bool legend_reload(Legend *legend)
-{
-    return gl_program_reload(&legend->program);
-}
-
-void legend_destroy(Legend *legend)
-{
-    glDeleteVertexArrays(1, &legend->empty_vao);
-    gl_program_destroy(&legend->program);
-    *legend = (Legend){.width = 0};
+    gl_draw_fullscreen(empty_vao);
 }

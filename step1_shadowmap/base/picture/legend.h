@@ -2,7 +2,7 @@
 #ifndef BASE_LEGEND_H
 #define BASE_LEGEND_H
 
-#include "step1_shadowmap/base/gl/gl.h" // ShaderFiles
+#include "step1_shadowmap/base/gl/gl.h" // Shaders
 
 // One choice of --show.
 typedef struct ShowMode {
@@ -15,21 +15,15 @@ typedef struct ShowMode {
 } ShowMode;
 
 typedef struct Legend {
-    Program program; // none for no legend
-    GLuint empty_vao;
+    Program *program; // NULL: no legend
     const char *text;
     int width, height; // of the picture, pixels
 } Legend;
 
-Legend legend_create(ShaderFiles files, const ShowMode *mode, int width,
+Legend legend_create(Shaders *shaders, const ShowMode *mode, int width,
                      int height);
 
 // Draws over colour attachment 0 of the bound framebuffer.
-void legend_draw(const Legend *legend);
-
-// Compiles the shaders again; see gl_program_reload.
-bool legend_reload(Legend *legend);
-
-void legend_destroy(Legend *legend);
+void legend_draw(const Legend *legend, GLuint empty_vao);
 
 #endif

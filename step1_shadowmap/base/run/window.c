@@ -1,28 +1,23 @@
 #include "step1_shadowmap/base/run/window.h"
 
-#include <math.h>   // atan2, cos, fmax, fmin, lround, pow, sin, sqrt
-#include <stdarg.h> // va_start
-#include <stdio.h>  // printf, snprintf, vsnprintf
+#include <math.h>  // atan2, cos, fmax, fmin, lround, pow, sin, sqrt
+#include <stdio.h> // puts, snprintf
 
 #include "step1_shadowmap/base/scene/dvec.h"     // dvec_cross, dvec_dot, ...
 #include "step1_shadowmap/base/system/printed.h" // printed_check
 
 static const double PI = 3.14159265358979323846;
 
-Window window_create(const Context *context, const BaseSettings *settings,
-                     const char *subject, ...)
+Window window_create(const Context *context, Shaders *shaders,
+                     const char *subject)
 {
     static const char *const vertex[] = {
         "step1_shadowmap/shaders/fullscreen.vert", NULL};
     static const char *const fragment[] = {
         "step1_shadowmap/shaders/present.frag", NULL};
-    Window window = {.context = context, .settings = settings};
-    window.present = gl_program(base_shader_files(settings), vertex, fragment);
-    glGenVertexArrays(1, &window.empty_vao);
-    va_list arguments;
-    va_start(arguments, subject);
-    vsnprintf(window.subject, sizeof window.subject, subject, arguments);
-    va_end(arguments);
+    Window window = {.context = context,
+                     .present = gl_program(shaders, NULL, vertex, fragment)};
+    snprintf(window.subject, sizeof window.subject, "%s", subject);
     puts("h prints what the keys do in the window");
     printed_check();
     return window;
@@ -102,11 +97,11 @@ static int react_to_typed(Window *window)
 }
 
 // Returns whether there is something to draw.
-static bool react(Window *window, Camera *camera)
+static bool react(Window *window, const BaseSettings *settings, Camera *camera)
 {
     const double arrow = PI / 36;
     // As far as the picture is high: half a turn.
-    const double pixel = PI / window->settings->size[1];
+    const double pixel = PI / settings->size[1];
     const Input *input = &window->input;
     double right = input->drag[0] * pixel + input->arrows[0] * arrow;
     double down = input->drag[1] * pixel + input->arrows[1] * arrow;
@@ -122,7 +117,7 @@ static bool react(Window *window, Camera *camera)
            window->save || input->exposed;
 }
 
-bool window_next(Window *window, Camera *camera)
+bool window_next(Window *window, const BaseSettings *settings, Camera *camera)
 {
     window->reload = window->save = false;
     if (window->first_distance == 0) {
@@ -131,16 +126,16 @@ bool window_next(Window *window, Camera *camera)
     }
     do {
         context_wait(window->context, &window->input);
-    } while (!window->input.close && !react(window, camera));
+    } while (!window->input.close && !react(window, settings, camera));
     return !window->input.close;
 }
 
 // As large as it fits, in the middle: a window manager may give the window
 // another shape than the picture's.
-static void fit(const Window *window, int corner[2], int size[2])
+static void fit(const Window *window, const int picture[2], int corner[2],
+                int size[2])
 {
     int inside[2];
-    const int *picture = window->settings->size;
     context_framebuffer_size(window->context, inside);
     double zoom =
         fmin((double)inside[0] / picture[0], (double)inside[1] / picture[1]);
@@ -150,17 +145,16 @@ static void fit(const Window *window, int corner[2], int size[2])
     }
 }
 
-static void present(const Window *window, GLuint picture)
+static void present(const Window *window, const Frame *frame, GLuint picture)
 {
     int corner[2], size[2];
-    GLuint program = window->present.id;
-    fit(window, corner, size);
+    fit(window, frame->settings.size, corner, size);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     glViewport(corner[0], corner[1], size[0], size[1]);
     glDisable(GL_DEPTH_TEST);
-    glUseProgram(program);
+    GLuint program = gl_use(window->present);
     glUniform2f(glGetUniformLocation(program, "corner"), (float)corner[0],
                 (float)corner[1]);
     glUniform2f(glGetUniformLocation(program, "size"), (float)size[0],
@@ -168,32 +162,21 @@ static void present(const Window *window, GLuint picture)
     glUniform1i(glGetUniformLocation(program, "picture"), 0);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, picture);
-    gl_draw_fullscreen(window->empty_vao);
+    gl_draw_fullscreen(frame->empty_vao);
 }
 
-void window_show(const Window *window, const SceneDraw *picture,
-                 const Stopwatch *stopwatch)
+void window_show(const Window *window, const Frame *frame,
+                 const Picture *picture)
 {
+    const BaseSettings *settings = &frame->settings;
     char title[256];
-    snprintf(title, sizeof title, "%s - %s - %.1f ms%s",
-             window->settings->scene, window->subject,
-             stopwatch_total(stopwatch),
+    snprintf(title, sizeof title, "%s - %s - %.1f ms%s", settings->scene,
+             window->subject, stopwatch_total(&frame->clock),
              window->shader_error ? " - shader error" : "");
-    present(window, picture->outputs[0]);
+    present(window, frame, picture->target.textures[0]);
     context_show(window->context, title);
     if (window->save) {
-        scene_draw_write(picture, window->settings);
+        picture_write(picture, settings->output);
+        base_say_written(settings, settings->output, "");
     }
-}
-
-void window_reload(Window *window, bool compiled)
-{
-    window->shader_error = !compiled || !gl_program_reload(&window->present);
-}
-
-void window_destroy(Window *window)
-{
-    glDeleteVertexArrays(1, &window->empty_vao);
-    gl_program_destroy(&window->present);
-    *window = (Window){0};
 }

@@ -1,5 +1,5 @@
-// Triangle meshes in memory: built here, drawn by scene_draw, and handed to the
-// ray caster of the tests. Nothing here knows OpenGL.
+// Triangle meshes in memory: built here, drawn by the picture, and handed to
+// the ray caster of the tests. Nothing here knows OpenGL.
 #ifndef BASE_MESH_H
 #define BASE_MESH_H
 

@@ -1,5 +1,5 @@
 // The scenes: what there is to see, where the light is, and what casts a
-// shadow. Only data; how it is drawn is step 1's scene_draw.
+// shadow. Only data; how it is drawn, picture.h says.
 #ifndef BASE_SCENE_H
 #define BASE_SCENE_H
 

@@ -4,15 +4,16 @@
 
 #include <stdbool.h>
 
-#include "step1_shadowmap/base/gl/gl.h"          // ShaderFiles
 #include "step1_shadowmap/base/picture/legend.h" // ShowMode
 #include "step1_shadowmap/base/system/options.h" // Option
+#include "step1_shadowmap/base/light/view.h"     // ViewsSize
 #include "step1_shadowmap/base/scene/scene.h"    // Scene
 
-enum { SETTINGS_MAX_SPLITS = 8 };
+enum { OPTION_TABLES = 7 }; // that a program joins, and the empty one
 
 typedef struct BaseSettings {
     const char *program; // stepN_what
+    int step;            // N
     const char *scene;
     const char *light; // a kind, or NULL: the scene's own
     bool list_scenes;
@@ -24,7 +25,6 @@ typedef struct BaseSettings {
     const ShowMode *more_shows; // what the step adds to the choices, or NULL
     const char *dump;           // directory, or NULL
     const char *shaders;        // directory, or NULL
-    const char *constants;      // GLSL in front of every shader, or NULL
     bool window;
     const char *context;
     const char *shadows;      // on or off
@@ -39,11 +39,11 @@ typedef struct BaseSettings {
 
 extern const Option base_options[];
 
-// The defaults of a program (stepN_what), which writes out/stepN_what.png if no
-// option says otherwise.
-// `more_shows` are choices of --show besides the five that every step has; the
-// list ends with a NULL name.
-void base_settings(BaseSettings *settings, const char *program,
+// The defaults of a program, the step's number and its name (stepN_what), which
+// writes out/stepN_what.png if no option says otherwise. `more_shows` are
+// choices of --show besides the five that every step has; the list ends with a
+// NULL name.
+void base_settings(BaseSettings *settings, int step, const char *program,
                    const ShowMode *more_shows);
 
 // The choice that --show names; refuses (status 2) any other name.
@@ -72,10 +72,11 @@ void base_say_written(const BaseSettings *settings, const char *path,
 // Whether there are shadows: without, no map is made.
 bool base_shadows(const BaseSettings *settings);
 
+// What the views are fitted to.
+ViewsSize base_views_size(const BaseSettings *settings);
+
 // Whether there is a frame of this number, from 0: one, or those to time and
 // the warm-up before them. Moves for it what --move names.
 bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame);
-
-ShaderFiles base_shader_files(const BaseSettings *settings);
 
 #endif

@@ -1,10 +1,11 @@
-#include "step1_shadowmap/base/leave_out/flat.h"
+#include "step1_shadowmap/base/leave_out/lone_plane.h"
 
 #include <math.h>   // fabs, fmax, fmin, hypot, sqrt, INFINITY
 #include <string.h> // memcmp
 
-#include "step1_shadowmap/base/scene/dvec.h"   // dvec_cross, dvec_dot
-#include "step1_shadowmap/base/light/region.h" // vertex_relative
+#include "step1_shadowmap/base/leave_out/casters.h" // casters_list
+#include "step1_shadowmap/base/scene/dvec.h"        // dvec_cross, dvec_dot
+#include "step1_shadowmap/base/light/region.h"      // vertex_relative
 
 // By how much what a pixel or a texel shows of a surface can be off it, of its
 // distance from the camera: 8 units of single precision (guard_central.glsl:
@@ -14,6 +15,12 @@
 
 // Of lengths that are equal but for rounding.
 #define EQUAL 1e-9
+
+typedef struct Flat {
+    double slope; // least change of t to the next texel, along the steepest way
+    double error; // most that t, or where it is compared, may be off, in t
+    double sine;  // of the least angle at which light meets the plane
+} Flat;
 
 // a + x e + y f for x and y from 0 to 1, relative to the camera, and the same
 // in the map: texels, and t.
@@ -94,27 +101,27 @@ static void project(Sheet *sheet, const Views *views, int layer)
 }
 
 // The only thing that may be drawn into these texels.
-static bool find_sheet(Sheet *sheet, const Facts *facts, int layer,
+static bool find_sheet(Sheet *sheet, const Frame *frame, int layer,
                        const Rect *texels)
 {
     DrawList list;
     double corners[4][3];
-    facts_list_casters(&list, facts, layer, texels);
+    casters_list(&list, &frame->views, &frame->scene, layer, texels, INFINITY);
     if (list.count != 1) {
         return false;
     }
-    const Object *object = &facts->scene->objects[list.objects[0]];
+    const Object *object = &frame->scene.objects[list.objects[0]];
     const Mesh *mesh = object->mesh;
     if (mesh->vertex_count != 4 || mesh->index_count != 6 ||
         !has_plain_normals(mesh)) {
         return false;
     }
     for (size_t i = 0; i < 4; i++) {
-        vertex_relative(object, facts->views->origin, i, corners[i]);
+        vertex_relative(object, frame->views.origin, i, corners[i]);
     }
     size_t opposite = opposite_corner(corners);
     find_edges(sheet, corners, opposite);
-    project(sheet, facts->views, layer);
+    project(sheet, &frame->views, layer);
     return opposite != 0 && sheet->area != 0;
 }
 
@@ -166,12 +173,12 @@ static void include_sheet(Flat *flat, const Sheet *sheet, const Views *views,
     flat->sine = fmin(flat->sine, sine);
 }
 
-static bool include_layer(Flat *flat, const Facts *facts, int layer,
+static bool include_layer(Flat *flat, const Frame *frame, int layer,
                           const Rect *texels)
 {
     Sheet sheet;
     double farthest = 0;
-    if (!find_sheet(&sheet, facts, layer, texels)) {
+    if (!find_sheet(&sheet, frame, layer, texels)) {
         return false;
     }
     for (int i = 0; i < 4; i++) {
@@ -183,27 +190,69 @@ static bool include_layer(Flat *flat, const Facts *facts, int layer,
         }
         farthest = fmax(farthest, length(position));
     }
-    include_sheet(flat, &sheet, facts->views, layer, farthest);
+    include_sheet(flat, &sheet, &frame->views, layer, farthest);
     return true;
 }
 
-bool flat_everywhere(const Facts *facts, int reach, Flat *flat)
+// Whether lookups that read so many texels to each side find nothing else.
+static bool is_flat(const Frame *frame, int reach, Flat *flat)
 {
-    bool parallel = facts->views->light_position[3] == 0;
+    const Views *views = &frame->views;
+    const int size[2] = {views->width, views->height};
+    bool alone = views->light_position[3] == 0;
     *flat = (Flat){.slope = INFINITY, .error = 0, .sine = INFINITY};
-    bool is_flat = parallel && facts->lookups && !facts->whole && !facts->later;
-    for (int layer = 0; layer < facts->layer_count && is_flat; layer++) {
-        Rect texels = facts->layers[layer].looked_up;
+    for (int layer = 0; layer < views->layers && alone; layer++) {
+        Rect texels = views->light[layer].looked_up;
         if (rect_is_empty(&texels)) {
             continue;
         }
         for (int axis = 0; axis < 2; axis++) {
             texels.low[axis] -= reach;
             texels.high[axis] += reach;
-            is_flat = is_flat && texels.low[axis] >= 0 &&
-                      texels.high[axis] <= facts->size[axis];
+            alone = alone && texels.low[axis] >= 0 &&
+                    texels.high[axis] <= size[axis];
         }
-        is_flat = is_flat && include_layer(flat, facts, layer, &texels);
+        alone = alone && include_layer(flat, frame, layer, &texels);
     }
-    return is_flat;
+    return alone;
+}
+
+// It is too much biased to shadow itself. Where the light meets the plane at
+// less than 0.02 the slope's part is held (depth_slope.glsl). The constant part
+// is for rounding, of a mean by more than of a depth.
+static bool is_biased(const Frame *frame)
+{
+    static const double least_sine = 0.03;
+    const Lookups *lookups = &frame->lookups;
+    Flat flat;
+    return lookups->kernel > 0 &&
+           is_flat(frame, lookups->kernel / 2 + 1, &flat) &&
+           flat.sine > least_sine && lookups->slope_bias >= 1 &&
+           lookups->bias > lookups->rounding + flat.error;
+}
+
+// A plane alone varies by V = spread slope^2 across the filter, and t is the
+// mean of that but for rounding and the plane's own error. If what is added to
+// the variance against rounding is no more than rounding can have taken,
+// nothing is lost of V. So t is behind by no more than the error, and p = V /
+// (V
+// + error^2) is 1, as a sum in single precision is V where what is added is
+// less than a half of 2^-24 V; another half is for V's own error.
+static bool varies(const Frame *frame)
+{
+    const Lookups *lookups = &frame->lookups;
+    Flat flat;
+    return lookups->spread > 0 && is_flat(frame, lookups->reach, &flat) &&
+           flat.error * flat.error <
+               0x1p-26 * lookups->spread * flat.slope * flat.slope;
+}
+
+bool lone_plane_is_lit(const Frame *frame, const char **why)
+{
+    if (is_biased(frame)) {
+        *why = "one plane alone, which its bias keeps lit";
+        return true;
+    }
+    *why = "one plane alone, which varies too much to shadow itself";
+    return varies(frame);
 }

@@ -1,4 +1,4 @@
-#include "step1_shadowmap/base/run/settings.h"
+#include "step1_shadowmap/base/picture/settings.h"
 
 #include <stdio.h>  // snprintf, stdout
 #include <stdlib.h> // exit
@@ -33,7 +33,7 @@ const Option base_options[] = {
      .kind = OPTION_INTEGER,
      .offset = offsetof(BaseSettings, splits),
      .minimum = 1,
-     .maximum = SETTINGS_MAX_SPLITS,
+     .maximum = VIEW_MAX_LAYERS,
      .argument = "N",
      .help =
          "parts of the view with a map each, of a directional light; 1: one "
@@ -69,7 +69,7 @@ const Option base_options[] = {
      .argument = "WHAT",
      .help =
          "shaded, visibility (1 lit, 0 in shadow), depth, layer or plan (how "
-         "many lookups a pixel needed); from step 3 on also mean or "
+         "many lookups a pixel needed); of a map of moments also mean or "
          "variance"},
     {.name = "dump",
      .kind = OPTION_TEXT,
@@ -146,6 +146,15 @@ static const ShowMode *find_show(const ShowMode *list, const char *name)
     return NULL;
 }
 
+// Adds ", name" for each.
+static void list_shows(char names[], size_t bytes, const ShowMode *list)
+{
+    for (; list != NULL && list->name != NULL; list++) {
+        size_t length = strlen(names);
+        snprintf(names + length, bytes - length, ", %s", list->name);
+    }
+}
+
 const ShowMode *base_show_mode(const BaseSettings *settings)
 {
     const ShowMode *mode = find_show(shows, settings->show);
@@ -153,18 +162,19 @@ const ShowMode *base_show_mode(const BaseSettings *settings)
         mode = find_show(settings->more_shows, settings->show);
     }
     if (mode == NULL) {
-        die_usage("--show '%s': allowed are shaded, visibility, depth, "
-                  "layer, plan%s",
-                  settings->show,
-                  settings->more_shows ? ", mean, variance" : "");
+        char names[128] = "";
+        list_shows(names, sizeof names, shows);
+        list_shows(names, sizeof names, settings->more_shows);
+        die_usage("--show '%s': allowed are %s", settings->show, names + 2);
     }
     return mode;
 }
 
-void base_settings(BaseSettings *settings, const char *program,
+void base_settings(BaseSettings *settings, int step, const char *program,
                    const ShowMode *more_shows)
 {
     *settings = (BaseSettings){.program = program,
+                               .step = step,
                                .more_shows = more_shows,
                                .scene = "teapot",
                                .size = {1280, 720},
@@ -316,6 +326,13 @@ bool base_shadows(const BaseSettings *settings)
     return strcmp(settings->shadows, "on") == 0;
 }
 
+ViewsSize base_views_size(const BaseSettings *settings)
+{
+    return (ViewsSize){{settings->size[0], settings->size[1]},
+                       {settings->map_size[0], settings->map_size[1]},
+                       settings->splits};
+}
+
 bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame)
 {
     int frames = settings->bench > 0 ? settings->bench + STOPWATCH_WARM_UP : 1;
@@ -323,9 +340,4 @@ bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame)
         move_objects(scene, settings->move, true);
     }
     return frame < frames;
-}
-
-ShaderFiles base_shader_files(const BaseSettings *settings)
-{
-    return (ShaderFiles){settings->shaders, settings->constants};
 }

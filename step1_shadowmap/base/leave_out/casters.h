@@ -1,0 +1,15 @@
+// Which objects are drawn: into the picture, and into a part of a map.
+#ifndef BASE_CASTERS_H
+#define BASE_CASTERS_H
+
+#include "step1_shadowmap/base/light/view.h" // Views
+
+// Leaves those in the list that may be in the picture.
+void casters_in_picture(DrawList *list, const Views *views, const Scene *scene);
+
+// Every object whose outline in the map may cover one of these texels, but
+// those behind t = `deepest` for certain. Returns how many these are.
+int casters_list(DrawList *list, const Views *views, const Scene *scene,
+                 int layer, const Rect *texels, double deepest);
+
+#endif

@@ -1,0 +1,258 @@
+#include "step1_shadowmap/base/leave_out/leave_out.h"
+
+#include <math.h> // INFINITY
+
+#include "step1_shadowmap/base/leave_out/casters.h"    // casters_list
+#include "step1_shadowmap/base/leave_out/lone_plane.h" // lone_plane_is_lit
+#include "step1_shadowmap/base/leave_out/receivers.h"  // receivers_find
+#include "step1_shadowmap/base/leave_out/stamp.h"      // stamp_add
+
+// Of a scene, what may change from frame to frame.
+static uint64_t stamp_scene(const Scene *scene)
+{
+    uint64_t stamp = STAMP_START;
+    stamp_add(&stamp, &scene->camera, sizeof scene->camera);
+    for (int i = 0; i < scene->object_count; i++) {
+        stamp_add(&stamp, scene->objects[i].transform,
+                  sizeof scene->objects[i].transform);
+    }
+    return stamp;
+}
+
+// What a layer's texels are made from: the view, to the last bit, and the
+// objects. The origin is the camera, so a camera that moves changes every map
+// in its last bits: such a map is another one.
+static uint64_t stamp_layer(const Frame *frame, int layer)
+{
+    const Views *views = &frame->views;
+    const LightView *view = &views->light[layer];
+    uint64_t stamp = STAMP_START;
+    stamp_add(&stamp, views->origin, sizeof views->origin);
+    stamp_add(&stamp, views->light_position, sizeof views->light_position);
+    stamp_add(&stamp, &views->depth_per_distance,
+              sizeof views->depth_per_distance);
+    stamp_add(&stamp, view->map_from_relative, sizeof view->map_from_relative);
+    stamp_add(&stamp, view->depth_from_relative,
+              sizeof view->depth_from_relative);
+    for (int i = 0; i < view->seen.count; i++) {
+        const Object *object = &frame->scene.objects[view->seen.objects[i]];
+        stamp_add(&stamp, &object->mesh, sizeof object->mesh);
+        stamp_add(&stamp, object->transform, sizeof object->transform);
+    }
+    return stamp;
+}
+
+static void look_nowhere(LeaveOut *left, Frame *frame, const char *why)
+{
+    for (int layer = 0; layer < frame->views.layers; layer++) {
+        frame->views.light[layer].looked_up = (Rect){{0, 0}, {0, 0}};
+    }
+    left->lookups = false;
+    left->why = why;
+}
+
+static void look_everywhere(LeaveOut *left, const char *why)
+{
+    left->whole = true;
+    left->lookups = true;
+    left->why = why;
+}
+
+// The texels of receivers; all of the layers that have some, if a lookup may be
+// anywhere there.
+static void look_at_receivers(LeaveOut *left, Frame *frame)
+{
+    double deepest[VIEW_MAX_LAYERS];
+    Views *views = &frame->views;
+    receivers_find(views, &frame->scene, frame->settings.size, deepest);
+    left->lookups = false;
+    for (int layer = 0; layer < views->layers; layer++) {
+        Rect *looked_up = &views->light[layer].looked_up;
+        left->layer[layer].deepest = deepest[layer];
+        if (!rect_is_empty(looked_up)) {
+            left->lookups = true;
+            if (frame->lookups.anywhere) {
+                *looked_up = rect_whole(views->width, views->height);
+            }
+        }
+    }
+    left->why = left->lookups
+                    ? "visible surfaces that may face the light are in the map"
+                    : "no visible surface that may face the light is in the "
+                      "map";
+}
+
+bool leave_out_look(LeaveOut *left, Frame *frame)
+{
+    const BaseSettings *settings = &frame->settings;
+    const ViewsSize size = base_views_size(settings);
+    uint64_t scene = stamp_scene(&frame->scene);
+    bool later = settings->window || settings->move != NULL;
+    const char *why;
+    if (left->fitted && left->scene == scene) {
+        return false;
+    }
+    left->fitted = true;
+    left->scene = scene;
+    left->decided = left->whole = false;
+    views_fit(&frame->views, &frame->scene, &size, frame->lookups.reach);
+    if (!settings->keep_all) {
+        casters_in_picture(&frame->views.seen, &frame->views, &frame->scene);
+    }
+    left->in_picture = frame->views.seen.count;
+    if (!base_shadows(settings)) {
+        look_nowhere(left, frame, "--shadows off");
+    } else if (settings->keep_all) {
+        look_everywhere(left, "--keep-all");
+    } else if (base_show_mode(settings)->reads_map) {
+        look_everywhere(left, "--show looks up every pixel");
+    } else {
+        look_at_receivers(left, frame);
+        if (left->lookups && !later && lone_plane_is_lit(frame, &why)) {
+            left->lookups = false;
+            left->why = why;
+        }
+    }
+    frame->looks_up = left->lookups || (base_shadows(settings) && later);
+    return true;
+}
+
+// What the picture reads of a target's layer itself.
+static Rect looked_up(const LeaveOut *left, const Frame *frame,
+                      const Target *target, int layer)
+{
+    const Rect *receivers = &frame->views.light[layer].looked_up;
+    const int size[2] = {target->width, target->height};
+    if (!left->lookups || target->looked_up == 0 || rect_is_empty(receivers)) {
+        return (Rect){{0, 0}, {0, 0}};
+    }
+    if (target->looked_up == TARGET_EVERYWHERE) {
+        return rect_whole(size[0], size[1]);
+    }
+    Rect divided = rect_divide(receivers, frame->views.width / target->width);
+    return rect_grow(&divided, target->looked_up, target->looked_up, size);
+}
+
+// What a pass that draws these texels reads of the target before it.
+static Rect read_by(const Target *target, const Rect *texels)
+{
+    const int size[2] = {target->reads->width, target->reads->height};
+    Rect rect = rect_multiply(texels, target->scale);
+    return rect_grow(&rect, target->reach[0], target->reach[1], size);
+}
+
+// From the last target back to the first.
+static void want_layer(const LeaveOut *left, Frame *frame, int layer)
+{
+    Targets *targets = &frame->targets;
+    for (int i = targets->count - 1; i >= 0; i--) {
+        Target *target = targets->list[i];
+        if (target->kind == TARGET_LAYERS || target->kind == TARGET_SAMPLES) {
+            target->layer[layer].wanted = looked_up(left, frame, target, layer);
+        }
+    }
+    for (int i = targets->count - 1; i >= 0; i--) {
+        Target *target = targets->list[i];
+        if (target->reads != NULL && target->kind != TARGET_PICTURE) {
+            Rect read = read_by(target, &target->layer[layer].wanted);
+            Rect *wanted = &target->reads->layer[layer].wanted;
+            *wanted = rect_join(wanted, &read);
+        }
+    }
+}
+
+// What is behind all receivers is as good as nothing, where each depth is
+// compared by itself and no bias pushes receivers behind it.
+static bool is_behind_lit(const Lookups *lookups)
+{
+    return lookups->compares && lookups->bias >= 0 && lookups->slope_bias >= 0;
+}
+
+// The objects that are drawn into the texels which are wanted of the targets
+// that show the scene.
+static void list_casters(LeaveOut *left, Frame *frame, int layer)
+{
+    const Targets *targets = &frame->targets;
+    DrawList *seen = &frame->views.light[layer].seen;
+    double deepest =
+        is_behind_lit(&frame->lookups) ? left->layer[layer].deepest : INFINITY;
+    Rect texels = {{0, 0}, {0, 0}};
+    for (int i = 0; i < targets->count; i++) {
+        const Target *target = targets->list[i];
+        if (target->reads == NULL &&
+            (target->kind == TARGET_LAYERS || target->kind == TARGET_SAMPLES)) {
+            texels = rect_join(&texels, &target->layer[layer].wanted);
+        }
+    }
+    left->layer[layer].behind = casters_list(seen, &frame->views, &frame->scene,
+                                             layer, &texels, deepest);
+    left->layer[layer].objects = seen->count;
+}
+
+static bool has_changed(LeaveOut *left, const Frame *frame, int layer)
+{
+    const Rect *receivers = &frame->views.light[layer].looked_up;
+    uint64_t made_from = stamp_layer(frame, layer);
+    bool changed = made_from != left->layer[layer].drawn_from ||
+                   !rect_holds(&left->layer[layer].drawn_for, receivers);
+    left->layer[layer].drawn_from = made_from;
+    left->layer[layer].drawn_for = *receivers;
+    return changed;
+}
+
+static void draw_layer(Frame *frame, int layer, bool draw)
+{
+    for (int i = 0; i < frame->targets.count; i++) {
+        Target *target = frame->targets.list[i];
+        target->layer[layer].draw = draw || target->kind == TARGET_PICTURE;
+    }
+}
+
+static void decide_layer(LeaveOut *left, Frame *frame, int layer)
+{
+    if (left->whole) {
+        left->layer[layer].objects = frame->scene.object_count;
+    } else {
+        want_layer(left, frame, layer);
+        list_casters(left, frame, layer);
+    }
+}
+
+void leave_out_decide(LeaveOut *left, Frame *frame)
+{
+    for (int layer = 0; layer < frame->views.layers && !left->decided;
+         layer++) {
+        decide_layer(left, frame, layer);
+    }
+    left->decided = true;
+}
+
+void leave_out_begin(LeaveOut *left, Frame *frame)
+{
+    bool always = frame->settings.keep_all || frame->settings.redraw;
+    leave_out_decide(left, frame);
+    for (int layer = 0; layer < frame->views.layers; layer++) {
+        bool changed = left->lookups && has_changed(left, frame, layer);
+        draw_layer(frame, layer, left->lookups && (changed || always));
+    }
+}
+
+void leave_out_nothing(Frame *frame)
+{
+    for (int layer = 0; layer < frame->views.layers; layer++) {
+        draw_list_all(&frame->views.light[layer].seen, &frame->scene);
+        for (int i = 0; i < frame->targets.count; i++) {
+            Target *target = frame->targets.list[i];
+            target->layer[layer].wanted =
+                rect_whole(target->width, target->height);
+            target->layer[layer].draw = target->kind != TARGET_PICTURE;
+        }
+    }
+}
+
+void leave_out_forget(LeaveOut *left)
+{
+    for (int layer = 0; layer < VIEW_MAX_LAYERS; layer++) {
+        left->layer[layer].drawn_from = 0;
+    }
+}

@@ -1,0 +1,55 @@
+// What no pixel of the picture needs is not drawn. From the scene and the views
+// alone follows where the picture looks its maps up; from there this walks back
+// over the targets that the passes read, each wider by what its pass reads
+// around, to the objects that are drawn into the first one. It is conservative:
+// what may be needed is drawn. Nothing that it leaves out changes a pixel.
+#ifndef BASE_LEAVE_OUT_H
+#define BASE_LEAVE_OUT_H
+
+#include <stdint.h> // uint64_t
+
+#include "step1_shadowmap/base/picture/frame.h" // Frame
+
+typedef struct LeaveOut {
+    bool fitted;    // the views, for a scene with this stamp
+    uint64_t scene; // see stamp.h
+    bool decided;   // what is wanted of these views
+    bool whole;     // everything is drawn
+    bool lookups;   // some layer is looked up in this frame
+    const char *why;
+    int in_picture; // objects
+    struct {
+        double deepest; // t of a receiver, or somewhat more
+        int objects;    // that are drawn
+        int behind;     // and that are not, being behind all receivers
+        // What the texels are made from, and this and what was looked up when
+        // they were last drawn; 0: never. What is filtered of them grows with
+        // what is looked up, so it is as new as they are.
+        uint64_t made_from, drawn_from;
+        Rect drawn_for;
+    } layer[VIEW_MAX_LAYERS];
+} LeaveOut;
+
+// Fits the views with room for the lookups, finds what of them the picture
+// looks up, and says whether it looks anything up, with --keep-all, --shadows
+// and --show as they are set. Does nothing, and returns false, if since the
+// last time neither the camera nor an object has moved.
+bool leave_out_look(LeaveOut *left, Frame *frame);
+
+// Decides what is wanted of every target, once they are all there.
+void leave_out_decide(LeaveOut *left, Frame *frame);
+
+// A frame begins: which layers are drawn in it? Those that have changed since
+// they were, which they are from here on.
+void leave_out_begin(LeaveOut *left, Frame *frame);
+
+// Wants everything in every map, and no picture: for the files of --dump.
+void leave_out_nothing(Frame *frame);
+
+// Every map is drawn again, for the shaders have changed.
+void leave_out_forget(LeaveOut *left);
+
+// What --plan prints: each pass, whether it is kept, and why.
+void leave_out_print(const LeaveOut *left, const Frame *frame);
+
+#endif

@@ -1,0 +1,63 @@
+// What the stages of a program share, from frame to frame.
+#ifndef BASE_FRAME_H
+#define BASE_FRAME_H
+
+#include "step1_shadowmap/base/gl/target.h"        // Target, Targets
+#include "step1_shadowmap/base/light/view.h"       // Views
+#include "step1_shadowmap/base/picture/geometry.h" // Geometry
+#include "step1_shadowmap/base/picture/settings.h" // BaseSettings
+#include "step1_shadowmap/base/system/stopwatch.h" // Stopwatch
+
+// How the picture uses what it looks up; from this base/leave_out derives what
+// cannot change a pixel. All zero: nothing is known.
+typedef struct Lookups {
+    int reach;     // texels of the map that one lookup reads to each side
+    bool anywhere; // of a layer that it reads at all
+    // It compares the receiver, moved towards the light by these (see
+    // bias.glsl), with each depth by itself: what is behind all receivers says
+    // "lit", as the empty map does.
+    bool compares;
+    double bias, slope_bias;
+    // It compares the receiver with depths, or with means of them about its own
+    // place, in a square of kernel x kernel texels, in which rounding changes t
+    // by no more than this. 0: with others.
+    int kernel;
+    double rounding;
+    // It bounds the light by the variance of depths with weights that have this
+    // variance about the receiver's place, in square texels. 0: by another.
+    double spread;
+} Lookups;
+
+typedef struct Frame {
+    BaseSettings settings;
+    OptionTable options[OPTION_TABLES];
+    Scene scene;
+    Views views;
+    Geometry geometry;
+    Shaders shaders;
+    Targets targets;
+    Lookups lookups;
+    bool looks_up; // the picture looks maps up, now or in a later frame
+    Stopwatch clock;
+    GLuint empty_vao; // for passes that cover the whole viewport
+    // In the frame after the last, which draws the maps alone and all of them:
+    // the directory of --dump. Else NULL.
+    const char *dump;
+} Frame;
+
+// A target for the light's views in this format; the caller fills in the rest.
+Target frame_map(const Frame *frame, const char *pass, GLenum format,
+                 Sampling sampling);
+
+// Draws a triangle that covers each wanted layer of the target, with the
+// program in use, which reads the array texture `source` as `map` on unit 0 and
+// knows its `layer`.
+void frame_filter(const Frame *frame, GLuint program, GLuint source,
+                  Target *target);
+
+// The passes since the last call, or since the frame's start, are done: notes
+// their time and what they touched under this name. Nothing if all that they
+// draw are maps that the picture does not look up.
+void frame_lap(Frame *frame, const char *name);
+
+#endif

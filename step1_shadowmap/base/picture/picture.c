@@ -1,0 +1,249 @@
+#include "step1_shadowmap/base/picture/picture.h"
+
+#include <math.h>   // sin
+#include <stdlib.h> // free
+#include <string.h> // memcpy, strcmp
+
+#include "step1_shadowmap/base/files/image.h"  // image_write
+#include "step1_shadowmap/base/picture/dump.h" // dump_image
+#include "step1_shadowmap/base/system/die.h"   // die
+
+enum { MAX_FILES = PROGRAM_MAX_FILES };
+
+const char picture_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
+
+const PictureSource picture_drawn = {
+    .vertex = "step1_shadowmap/shaders/scene.vert",
+    .surface = "step1_shadowmap/shaders/surface.glsl",
+    .steps = "step1_shadowmap/shaders/steps.glsl",
+};
+
+// A spot loses its brightness between this part of its cone and the edge.
+#define BRIGHT_PART 0.8
+
+// The places in the list below that need a name.
+enum { OUTPUT_IMAGE = 0, OUTPUT_FOOTPRINT = 5, OUTPUT_HANDOVER = 6 };
+
+// What the fragment shader writes, in the order of its output locations.
+static const struct {
+    const char *name;
+    GLenum format;
+    int channels;
+    float empty[4]; // where the picture shows no object
+} outputs[TARGET_MAX_OUTPUTS] = {
+    {"image", GL_RGBA32F, 3, {0, 0, 0, 0}}, // the scene's background
+    {"receiver", GL_RGBA32F, 4, {0, 0, 0, -1}},
+    {"position", GL_RGBA32F, 3, {0, 0, 0, 0}},
+    {"normal", GL_RGBA32F, 3, {0, 0, 0, 0}},
+    {"visibility", GL_R32F, 1, {1, 1, 1, 1}},
+    {"footprint", GL_RGBA32F, 4, {0, 0, 0, 0}}, // where it is used
+    {"handover", GL_RGBA32F, 4, {0, 0, 0, 0}},  // of splits
+};
+
+static bool uses_footprint(const char *const visibility[])
+{
+    bool found = false;
+    for (int i = 0; visibility[i] != NULL; i++) {
+        found = found || strcmp(visibility[i], picture_footprint) == 0;
+    }
+    return found;
+}
+
+static void choose_outputs(Picture *picture, const BaseSettings *settings)
+{
+    bool dumped = settings->dump != NULL;
+    for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
+        bool used = i == OUTPUT_IMAGE || dumped;
+        used = used && (i != OUTPUT_FOOTPRINT || picture->footprint);
+        used = used && (i != OUTPUT_HANDOVER || settings->splits > 1);
+        picture->target.formats[i] = used ? outputs[i].format : GL_NONE;
+    }
+}
+
+// How a position finds its layer of the map.
+static const char *layer_shader(const BaseSettings *settings, LightKind kind)
+{
+    if (kind == LIGHT_POINT) {
+        return "step1_shadowmap/shaders/layer_face.glsl";
+    }
+    return settings->splits > 1 ? "step1_shadowmap/shaders/layer_split.glsl"
+                                : "step1_shadowmap/shaders/layer_only.glsl";
+}
+
+static Program *create_program(Frame *frame, const PictureSource *source,
+                               const char *constants,
+                               const char *const visibility[])
+{
+    const BaseSettings *settings = &frame->settings;
+    const char *const vertex[] = {source->vertex, NULL};
+    const ShowMode *mode = base_show_mode(settings);
+    const char *fragment[MAX_FILES] = {
+        source->surface, "step1_shadowmap/shaders/light_depth.glsl",
+        settings->depth_shader, layer_shader(settings, frame->scene.light.kind),
+        "step1_shadowmap/shaders/map_coordinates.glsl"};
+    int count = 5;
+    if (uses_footprint(visibility)) {
+        fragment[count++] = source->steps;
+    }
+    for (int i = 0; visibility[i] != NULL; i++) {
+        if (count + 7 > MAX_FILES) {
+            die("more than %d shader files", MAX_FILES);
+        }
+        fragment[count++] = visibility[i];
+    }
+    if (mode->scale != NULL) {
+        fragment[count++] = mode->scale;
+    }
+    fragment[count++] = mode->shader;
+    if (settings->dump != NULL && !uses_footprint(visibility)) {
+        fragment[count++] = "step1_shadowmap/shaders/footprint_nothing.glsl";
+    }
+    fragment[count++] = settings->dump == NULL
+                            ? "step1_shadowmap/shaders/dump_nothing.glsl"
+                            : "step1_shadowmap/shaders/dump.glsl";
+    fragment[count] = "step1_shadowmap/shaders/scene.frag";
+    return gl_program(&frame->shaders, constants, vertex, fragment);
+}
+
+void picture_create(Picture *picture, Frame *frame, Target *map,
+                    const char *constants, const char *const visibility[])
+{
+    picture_create_from(picture, frame, &picture_drawn, map, constants,
+                        visibility);
+}
+
+void picture_create_from(Picture *picture, Frame *frame,
+                         const PictureSource *source, Target *map,
+                         const char *constants, const char *const visibility[])
+{
+    static const char *const unshadowed[] = {
+        "step1_shadowmap/shaders/unshadowed.glsl", NULL};
+    const BaseSettings *settings = &frame->settings;
+    visibility = frame->looks_up ? visibility : unshadowed;
+    *picture = (Picture){.map = map, .footprint = uses_footprint(visibility)};
+    picture->target = (Target){.pass = "picture",
+                               .kind = TARGET_PICTURE,
+                               .width = settings->size[0],
+                               .height = settings->size[1],
+                               .layers = 1,
+                               .depth = true};
+    picture->derivatives =
+        (Target){.pass = "derivatives",
+                 .kind = TARGET_NOTHING,
+                 .idle = !picture->footprint,
+                 .why = picture->footprint
+                            ? "lookups as wide as a pixel is in the map"
+                            : "no lookup asks how wide a pixel is in the map"};
+    choose_outputs(picture, settings);
+    target_add(&frame->targets, &picture->derivatives);
+    target_add(&frame->targets, &picture->target);
+    picture->program = create_program(frame, source, constants, visibility);
+    picture->legend = legend_create(&frame->shaders, base_show_mode(settings),
+                                    settings->size[0], settings->size[1]);
+}
+
+// 1 - cos(angle), without taking two numbers near 1 from each other.
+static float spread_of(double angle)
+{
+    double half = sin(0.5 * angle);
+    return (float)(2 * half * half);
+}
+
+// A light that is not a spot has a cone that holds every direction, and one
+// that is parallel is everywhere at the distance where its radiance holds.
+static void set_falloff(GLuint program, const Light *light)
+{
+    bool local = light->kind != LIGHT_DIRECTIONAL;
+    bool spot = light->kind == LIGHT_SPOT;
+    glUniform1f(glGetUniformLocation(program, "reference_distance"),
+                local ? (float)light->reference : 1);
+    glUniform3f(glGetUniformLocation(program, "cone_axis"),
+                (float)light->direction[0], (float)light->direction[1],
+                (float)light->direction[2]);
+    glUniform2f(glGetUniformLocation(program, "cone_spreads"),
+                spot ? spread_of(light->cone) : 4,
+                spot ? spread_of(BRIGHT_PART * light->cone) : 3);
+}
+
+static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
+{
+    const Light *light = &scene->light;
+    view_set_matrix(program, "clip_from_relative", views->clip_from_relative);
+    view_set_light(program, views);
+    set_falloff(program, light);
+    glUniform1i(glGetUniformLocation(program, "shadow_map"), 0);
+    glUniform3fv(glGetUniformLocation(program, "radiance"), 1, light->radiance);
+    glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light->ambient);
+}
+
+static void clear(const Frame *frame)
+{
+    const float far_depth = 1;
+    float background[4] = {1, 1, 1, 1};
+    if (strcmp(frame->settings.show, "shaded") == 0) {
+        memcpy(background, frame->scene.background,
+               sizeof frame->scene.background);
+    }
+    glClearBufferfv(GL_COLOR, 0, background);
+    for (int i = 1; i < TARGET_MAX_OUTPUTS; i++) {
+        glClearBufferfv(GL_COLOR, i, outputs[i].empty); // if it is there
+    }
+    glClearBufferfv(GL_DEPTH, 0, &far_depth);
+}
+
+GLuint picture_begin(Picture *picture, const Frame *frame)
+{
+    GLuint program = gl_use(picture->program);
+    picture->drawing = target_begin(&picture->target, 0);
+    if (picture->drawing) {
+        clear(frame);
+    }
+    glEnable(GL_DEPTH_TEST);
+    set_uniforms(program, &frame->scene, &frame->views);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY,
+                  frame->looks_up ? target_texture(picture->map) : 0);
+    return program;
+}
+
+void picture_end(const Picture *picture, const Frame *frame)
+{
+    legend_draw(&picture->legend, frame->empty_vao);
+}
+
+void picture_draw(Picture *picture, const Frame *frame)
+{
+    if (picture->drawing) {
+        geometry_draw(&frame->geometry, &frame->scene, &frame->views.seen,
+                      frame->views.origin);
+        picture_end(picture, frame);
+    }
+}
+
+// One of the picture's outputs; the caller frees it.
+static float *read_output(const Picture *picture, int output)
+{
+    const Target *target = &picture->target;
+    return gl_read(target->framebuffers[0], output, target->width,
+                   target->height, outputs[output].channels);
+}
+
+void picture_write(const Picture *picture, const char *path)
+{
+    float *pixels = read_output(picture, OUTPUT_IMAGE);
+    image_write(path, pixels, picture->target.width, picture->target.height, 3);
+    free(pixels);
+}
+
+void picture_dump(const Picture *picture, const char *directory)
+{
+    const Target *target = &picture->target;
+    for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
+        if (target->formats[i] != GL_NONE) {
+            float *pixels = read_output(picture, i);
+            dump_image(directory, outputs[i].name, pixels, target->width,
+                       target->height, outputs[i].channels);
+            free(pixels);
+        }
+    }
+}

@@ -1,0 +1,66 @@
+// The picture: the scene seen by the camera, with the visibility of the light
+// that a step's shader computes from its map.
+#ifndef BASE_PICTURE_H
+#define BASE_PICTURE_H
+
+#include "step1_shadowmap/base/picture/frame.h"  // Frame
+#include "step1_shadowmap/base/picture/legend.h" // Legend
+
+// The shader file with vec4 footprint(Receiver), for a visibility() that needs
+// to know how far apart the pixels are in the map.
+extern const char picture_footprint[];
+
+// Where the shading finds what a pixel shows: the vertex shader, the file that
+// defines relative_position, viewer_normal() and albedo, and the one that
+// defines to_right and to_above, which only footprint.glsl needs.
+typedef struct PictureSource {
+    const char *vertex;
+    const char *surface;
+    const char *steps;
+} PictureSource;
+
+// From the rasteriser, while the scene is drawn.
+extern const PictureSource picture_drawn;
+
+typedef struct Picture {
+    Target target;      // the picture; with --dump further outputs
+    Target derivatives; // across the screen, for --plan
+    Target *map;        // is looked up
+    Program *program;
+    bool footprint; // the shaders ask for it
+    bool drawing;   // it is wanted in this frame
+    Legend legend;
+} Picture;
+
+// `visibility` lists the fragment shader files (NULL at the end) that define
+// float visibility(Receiver) of what the map holds, with `constants` (see
+// gl_program); they are compiled together with step 1's scene.frag. Where the
+// picture looks nothing up they are left out: the visibility is 1 wherever a
+// surface faces the light.
+void picture_create(Picture *picture, Frame *frame, Target *map,
+                    const char *constants, const char *const visibility[]);
+
+// The same from another source.
+void picture_create_from(Picture *picture, Frame *frame,
+                         const PictureSource *source, Target *map,
+                         const char *constants, const char *const visibility[]);
+
+// Begins a frame's picture: clears it, and uses its program, whose name this
+// returns for the uniforms of visibility(). The map is the shader's shadow_map.
+// Where no picture is wanted nothing is drawn from here on.
+GLuint picture_begin(Picture *picture, const Frame *frame);
+
+// Draws the scene with that program, and then what picture_end does.
+void picture_draw(Picture *picture, const Frame *frame);
+
+// Draws the legend.
+void picture_end(const Picture *picture, const Frame *frame);
+
+void picture_write(const Picture *picture, const char *path);
+
+// Writes receiver, position, normal, visibility and image (.exr) into the
+// directory, footprint where the list has picture_footprint, and handover where
+// there are splits; needs a picture that was made with --dump.
+void picture_dump(const Picture *picture, const char *directory);
+
+#endif
