@@ -42,7 +42,8 @@ cmp_ok( length $told->{err}, '<', 10_000, 'of lines that can be read' );
 
 # It can be pasted. The oracle's status: something is not as it has to be.
 chdir $work or die "cannot work in $work: $!\n";
-my $by_hand = $again =~ s{(?<=&& )(?!/)}{root() . '/'}ger;
+my $tree = "'" . root() =~ s/'/'\\''/gr . "/'";
+my $by_hand = $again =~ s{(?<=&& )(?!/)}{$tree}gr;
 is( command( '/bin/sh', '-c', $by_hand )->{status}, 1, 'it fails by hand' );
 ok( -e 'out/dump1/image.exr', 'and leaves what to look at' );
 

@@ -12,7 +12,7 @@
 #include <GLFW/glfw3.h>
 #include <ctype.h>  // tolower
 #include <stddef.h> // NULL
-#include <stdlib.h> // free
+#include <stdlib.h> // free, getenv
 #include <string.h> // strlen
 #ifdef __GLIBC__
 #include <malloc.h> // mallopt
@@ -139,6 +139,12 @@ static void on_resized(GLFWwindow *window, int width, int height)
 
 static Context create_window(const int size[2])
 {
+    // Where no Wayland is named, its library says so in lines of its own.
+#if defined(GLFW_PLATFORM) && defined(__linux__)
+    if (getenv("WAYLAND_DISPLAY") == NULL) {
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+    }
+#endif
     if (!glfwInit()) {
         die("no display: --window needs one (%s); without --window the "
             "picture goes to a file",
