@@ -31,7 +31,7 @@ include tests/tests.mk
 
 # All pictures are made again when a program or a shader has changed, or when
 # one of them is missing or is newer than the strip: somebody else wrote it.
-MADE_FROM := $(PROGRAMS:%=$(BUILD)/%) $(wildcard step*/shaders/*)
+MADE_FROM := $(PROGRAMS:%=$(BUILD)/%) $(wildcard step*/shaders/* step*/techniques/*/*)
 $(PICTURES): ;
 out/steps.png: $(MADE_FROM) $(PICTURES) $(BUILD)/strip
 	@mkdir -p out
@@ -56,12 +56,14 @@ standalone: ## copy exactly step STEP's files to DIR, which then builds alone
 window: $(BUILD)/$(program) ## open step STEP in a window
 	@$< --window
 
-diff: ## what step STEP changes against the step before it
+# A step's files but for its techniques.
+lesson = $(foreach file,$($1),$(if $(findstring /techniques/,$(file)),,$(file)))
+diff: ## what the lesson of step STEP changes against the one before it
 	@diff -u --label '$(before)/main.c' --label '$(program)/main.c' \
 	    $(before)/main.c $(program)/main.c || test $$? = 1
-	@for f in $(filter-out $(program)/main.c,$(filter-out $($(before)),$($(program)))); do \
+	@for f in $(filter-out $(program)/main.c $(call lesson,$(before)),$(call lesson,$(program))); do \
 	    echo; echo "new: $$f"; cat $$f; done
-	@for f in $(filter-out $($(program)) $(before)/main.c,$($(before))); do \
+	@for f in $(filter-out $(call lesson,$(program)) $(before)/main.c,$(call lesson,$(before))); do \
 	    echo "gone: $$f"; done
 
 clean: ## remove build/ and out/

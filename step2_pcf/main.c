@@ -21,19 +21,16 @@ static void read_options(int argc, char **argv)
                                   options_table(pcf_options, &state.pcf),
                                   {0}};
     run_options(&state.run, argc, argv, 2, "step2_pcf", NULL, tables);
-    pcf_settings_check(&state.pcf);
 }
 
 static void create(Frame *frame)
 {
-    const char *visibility[PCF_MAX_SHADERS];
     run_begin(&state.run);
     frame->lookups = pcf_lookups(&state.pcf, &state.bias);
     run_look(&state.run);
     shadow_map_create(&state.map, frame, frame->lookups.reach);
-    pcf_shaders(&state.pcf, visibility);
     picture_create(&state.picture, frame, &state.map.target,
-                   pcf_constants(&state.pcf), visibility);
+                   pcf_constants(&state.pcf), pcf_shaders);
 }
 
 static void draw(Frame *frame)

@@ -211,7 +211,7 @@ static const char **append_soft(const ShadingSettings *settings,
         "step4_blur/shaders/mip_levels.glsl",
         chebyshev_guard_shader(&settings->chebyshev, &settings->moments),
         "step5_chebyshev/shaders/chebyshev.glsl",
-        "step2_pcf/shaders/poisson_disc.glsl",
+        "step2_pcf/techniques/poisson/poisson_disc.glsl",
         "step5_chebyshev/shaders/penumbra.glsl",
         "step5_chebyshev/shaders/lookup_soft.glsl",
         NULL};

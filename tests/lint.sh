@@ -16,7 +16,7 @@ for compiler in gcc clang; do
 done
 # shellcheck disable=SC2046 # a list of names
 shellcheck $(git ls-files '*.sh') .ci/run
-for limit in 150:main.c 80:README.md; do
+for limit in 100:main.c 80:README.md; do
     wc -l step*/"${limit#*:}" | awk -v most="${limit%:*}" '$2 != "total" &&
         $1 > most { print $2 ": " $1 " lines, at most " most; long = 1 }
         END { exit long }' >&2

@@ -25,15 +25,15 @@ my %mutants = (
         'middle + 0 * ivec2(x, y)'
     ],
     'a disc that is not turned' => [
-        'step2', 'step2_pcf/shaders/poisson_disc.glsl',
+        'step2', 'step2_pcf/techniques/poisson/poisson_disc.glsl',
         'poisson_turns[4 * pixel.y + pixel.x]', 'poisson_turns[0]'
     ],
     'a disc of twice the radius' => [
-        'step2', 'step2_pcf/shaders/pcf_poisson.glsl',
+        'step2', 'step2_pcf/techniques/poisson/pcf_poisson.glsl',
         '0.5 * float(width)', 'float(width)'
     ],
     'all taps of the disc at one place' => [
-        'step2', 'step2_pcf/shaders/pcf_poisson.glsl',
+        'step2', 'step2_pcf/techniques/poisson/pcf_poisson.glsl',
         'poisson_tap(i)', 'poisson_tap(0)'
     ],
     'a comparison the wrong way round' => [
@@ -80,19 +80,19 @@ my %mutants = (
         'step2', 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
     ],
     'a width by the shorter axis' => [
-        'pcf', 'step2_pcf/shaders/width_adaptive.glsl',
+        'pcf', 'step2_pcf/techniques/adaptive/width_adaptive.glsl',
         '.longer', '.shorter'
     ],
     'a width that is not clamped' => [
-        'pcf', 'step2_pcf/shaders/width_adaptive.glsl',
+        'pcf', 'step2_pcf/techniques/adaptive/width_adaptive.glsl',
         'min(2 * radius + 1, kernel)', '2 * radius + 1'
     ],
     'weights of the rim swapped' => [
-        'pcf', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'pcf', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'i == width ? part : 1.0', 'i == width ? 1.0 - part : 1.0'
     ],
     'bilinear taps half a texel off' => [
-        'pcf', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'pcf', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'vec2(size) - 0.5', 'vec2(size)'
     ],
     'both moments scaled' => [
@@ -171,11 +171,11 @@ my %mutants = (
         'part * rest * apart * apart', '0.0'
     ],
     'weights of 2 x 2 swapped' => [
-        'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'truths', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'return 1.0 - part;', 'return part;'
     ],
     'a rim that is not weighted' => [
-        'truths', 'step2_pcf/shaders/pcf_bilinear.glsl',
+        'truths', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'i == width ? part : 1.0', '1.0'
     ],
     'the wrong row of the kernel' => [
@@ -564,7 +564,7 @@ my %mutants = (
         'moments_at_level(uv,', 'moments_at_level(receiver.uv,'
     ],
     'a disc whose points do not turn' => [
-        'soft', 'step2_pcf/shaders/poisson_disc.glsl',
+        'soft', 'step2_pcf/techniques/poisson/poisson_disc.glsl',
         'poisson_turns[4 * pixel.y + pixel.x]', 'poisson_turns[0]'
     ],
     'all taps at the finest level' => [

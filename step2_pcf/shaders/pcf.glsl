@@ -1,13 +1,15 @@
 // Step 2: compare first, then average. Reeves, Salesin, Cook, Rendering
 // antialiased shadows with depth maps, SIGGRAPH 1987.
+//
+// pcf.c puts the width of the filter in front, a constant:
+//     const int kernel;  texels, odd
 
 float visibility(Receiver receiver)
 {
     ivec2 size = textureSize(shadow_map, 0).xy;
     ivec2 middle = min(ivec2(receiver.uv * vec2(size)), size - 1);
-    int width = filter_width(receiver);
-    float bias = comparison_bias(receiver, width, vec2(size));
-    int radius = width / 2;
+    float bias = comparison_bias(receiver, kernel, vec2(size));
+    int radius = kernel / 2;
     float lit = 0.0;
     for (int y = -radius; y <= radius; y++) {
         for (int x = -radius; x <= radius; x++) {
@@ -16,5 +18,5 @@ float visibility(Receiver receiver)
             lit += receiver.depth - bias <= occluder ? 1.0 : 0.0;
         }
     }
-    return lit / float(width * width);
+    return lit / float(kernel * kernel);
 }

@@ -116,7 +116,7 @@ our %LESSONS = (
             empty    => 'return 1.0;',
             words    => 'Percentage-closer filtering: compare with each of '
               . 'the n x n texels around the one that receiver.uv lies in, n '
-              . 'from filter_width(receiver), and return the share that is '
+              . 'from the constant kernel, and return the share that is '
               . 'lit. occluder_depth(texel, layer) reads a depth, '
               . 'comparison_bias(receiver, n, vec2(size)) is the bias.',
             options  => [],
@@ -128,9 +128,9 @@ our %LESSONS = (
                       . 'or 1, in another place. Compare first, then average.',
                     'lit += receiver.depth - bias <= occluder ? 1.0 : 0.0;' =>
                       'lit += occluder;',
-                    'return lit / float(width * width);' =>
+                    'return lit / float(kernel * kernel);' =>
                       'return receiver.depth - bias <= '
-                      . 'lit / float(width * width) ? 1.0 : 0.0;'
+                      . 'lit / float(kernel * kernel) ? 1.0 : 0.0;'
                 ],
                 [
                     'Every tap reads the texel in the middle: n x n times the '
@@ -139,7 +139,7 @@ our %LESSONS = (
                 ],
                 [
                     'The sum is divided by n, and there are n x n taps.',
-                    'float(width * width)' => 'float(width)'
+                    'float(kernel * kernel)' => 'float(kernel)'
                 ],
                 [
                     'The last row and column are left out: from -radius to '
@@ -156,7 +156,7 @@ our %LESSONS = (
                       . 'taps is n / 2 texels away, where a sloping surface '
                       . 'has another depth: it needs a bias as wide as the '
                       . 'kernel.',
-                    'comparison_bias(receiver, width,' =>
+                    'comparison_bias(receiver, kernel,' =>
                       'comparison_bias(receiver, 1,'
                 ],
             ],

@@ -50,16 +50,16 @@ step2_pcf)
     panel acne --bias 0 --slope-bias 0
     panel panning --scene thin --bias 0.02 --slope-bias 0
     drawn=$program
-    join "$program/technique_bias.png" acne panning
+    join "$program/bias.png" acne panning
     panel grid --map-size 128 --kernel 3
     panel bilinear --map-size 128 --kernel 3 --bilinear
-    join "$program/technique_bilinear.png" grid bilinear
+    join "$program/techniques/bilinear/picture.png" grid bilinear
     panel grid --map-size 256 --kernel 15
     panel disc --map-size 256 --kernel 15 --pattern poisson
-    join "$program/technique_poisson.png" grid disc
+    join "$program/techniques/poisson/picture.png" grid disc
     panel narrow --scene fence --map-size 2048 --kernel 3
     panel adaptive --scene fence --map-size 2048 --kernel 31 --adaptive
-    join "$program/technique_adaptive.png" narrow adaptive
+    join "$program/techniques/adaptive/picture.png" narrow adaptive
     ;;
 step3_moments)
     "$build/fuzz" --count 20000 --csv >"$dump/fuzz.csv"

@@ -27,24 +27,20 @@ sub make {
     return command( '/usr/bin/env', 'make', @_ );
 }
 
-# The words that a Makefile assigns to a list.
+# The files of a list that the Makefiles make.
 sub list {
-    my ( $file, $name ) = @_;
-    my ($words) = slurp( root() . "/$file" ) =~ /^$name := ((?:.*\\\n)*.*)/m
-      or die "no list $name in $file\n";
-    return grep { $_ ne '\\' } split ' ', $words;
+    my ($name) = @_;
+    my $run = make( '-s', '-C', root(), 'DEPS=no',
+        "--eval=list: ; \@echo \$($name)", 'list' );
+    return split ' ', $run->{out};
 }
 
-sub step_list {
-    my ($step) = @_;
-    my $name = program_name($step);
-    return list( "$name/Makefile", $name );
-}
+sub step_list { return list( program_name(@_) ) }
 
-# The ground floor is whatever lies in its rooms.
-my @base = split ' ',
-  make( '-s', '-C', root(), 'DEPS=no', '--eval=list: ; @echo $(base)', 'list' )
-  ->{out};
+# A lesson is its step without techniques.
+sub lesson { return grep { !m{/techniques/} } step_list(@_) }
+
+my @base = list('base');
 
 sub check_copy {
     my ( $step, $folder ) = @_;
@@ -122,15 +118,15 @@ for my $step ( 1 .. 5 ) {
     check_missing_shader( $step, $folder, $copy );
 }
 
-# The difference of two steps: main.c as a diff, and the files by name.
+# The difference of two lessons: main.c as a diff, and the files by name.
 for my $step ( 2 .. 5 ) {
     my ( $old, $new ) = map { program_name($_) } $step - 1, $step;
     my $run = make( '-C', root(), '-s', 'diff', "STEP=$step" );
     is( $run->{status}, 0, "make diff STEP=$step" ) or diag( $run->{err} );
     like( $run->{out}, qr{^--- $old/main\.c\n\+\+\+ $new/main\.c\n\@\@ }m,
         "make diff STEP=$step shows main.c" );
-    my %before = map { $_ => 1 } step_list( $step - 1 );
-    my %now    = map { $_ => 1 } step_list($step);
+    my %before = map { $_ => 1 } lesson( $step - 1 );
+    my %now    = map { $_ => 1 } lesson($step);
     my @new    = grep { !$before{$_} && $_ ne "$new/main.c" } keys %now;
     my @gone   = grep { !$now{$_} && $_ ne "$old/main.c" } keys %before;
     is_deeply( [ sort $run->{out} =~ /^new: (.*)/mg ],

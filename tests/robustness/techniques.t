@@ -29,8 +29,9 @@ for my $row (@rows) {
     ok( defined $choices, "$name: step $step has $flag" ) or next;
     my $known = !defined $value || $choices !~ /,/ || $choices =~ /\b$value\b/;
     ok( $known, "$name: $flag takes " . ( $value // 'any' ) );
-    my $words = join '',
-      map { slurp($_) } matching( root(), "step${step}_*/*.md" );
+    my $words = join '', map { slurp($_) }
+      map { matching( root(), "step${step}_*/$_" ) } '*.md',
+      'techniques/*/README.md';
     like( $words, qr/\Q$flag\E\b/, "$name: step $step says what $flag is for" );
     like( $words, qr/\b$value\b/, "$name: step $step says what $value is" )
       if defined $value;

@@ -19,6 +19,8 @@ void gl_load(GlLoader loader);
 
 enum { PROGRAM_MAX_FILES = 24 };
 
+enum { SHADERS_MAX_INSTEAD = 32 };
+
 typedef struct Program Program;
 
 // Where shader files are looked up: first below `directory` (NULL: nowhere),
@@ -27,7 +29,24 @@ typedef struct Program Program;
 typedef struct Shaders {
     const char *directory;
     Program *programs;
+    struct {
+        const char *file;
+        const char *const *files;
+    } instead[SHADERS_MAX_INSTEAD];
+    int instead_count;
 } Shaders;
+
+// From here on other files (NULL at the end, static) stand in place of one, in
+// every list that names it: so a technique takes the place of a lesson's
+// shader. They may name that file too, and others in whose place some stand. If
+// something stands in its place already, that stays.
+void gl_put_instead(Shaders *shaders, const char *file,
+                    const char *const files[]);
+
+// The files that a list of names stands for, NULL at the end, at most
+// PROGRAM_MAX_FILES.
+void gl_find_files(const Shaders *shaders, const char *const names[],
+                   const char *files[PROGRAM_MAX_FILES + 1]);
 
 // A program of several shader files: each list ends with NULL and its files
 // are compiled as one shader, in that order; the names stay valid. They carry

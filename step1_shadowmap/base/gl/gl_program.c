@@ -256,16 +256,49 @@ static GLuint build(const Program *program, char *message)
                                        : build_drawing(program, message);
 }
 
-static void copy_names(const char *const from[], const char *to[])
+void gl_put_instead(Shaders *shaders, const char *file,
+                    const char *const files[])
 {
-    int count = 0;
-    for (; from[count] != NULL; count++) {
-        if (count == PROGRAM_MAX_FILES) {
-            die("more than %d shader files", PROGRAM_MAX_FILES);
+    for (int i = 0; i < shaders->instead_count; i++) {
+        if (strcmp(shaders->instead[i].file, file) == 0) {
+            return;
         }
-        to[count] = from[count];
     }
-    to[count] = NULL;
+    if (shaders->instead_count == SHADERS_MAX_INSTEAD) {
+        die("more than %d shader files are replaced", SHADERS_MAX_INSTEAD);
+    }
+    shaders->instead[shaders->instead_count].file = file;
+    shaders->instead[shaders->instead_count++].files = files;
+}
+
+// Appends what a list stands for, but takes `but` as it is.
+static int append_files(const Shaders *shaders, const char *const names[],
+                        const char *but, const char *files[], int count)
+{
+    for (; *names != NULL; names++) {
+        const char *const *instead = NULL;
+        for (int i = 0; i < shaders->instead_count; i++) {
+            if (strcmp(shaders->instead[i].file, *names) == 0 &&
+                (but == NULL || strcmp(but, *names) != 0)) {
+                instead = shaders->instead[i].files;
+            }
+        }
+        if (instead != NULL) {
+            count = append_files(shaders, instead, *names, files, count);
+        } else if (count == PROGRAM_MAX_FILES) {
+            die("more than %d shader files", PROGRAM_MAX_FILES);
+        } else {
+            files[count++] = *names;
+        }
+    }
+    files[count] = NULL;
+    return count;
+}
+
+void gl_find_files(const Shaders *shaders, const char *const names[],
+                   const char *files[PROGRAM_MAX_FILES + 1])
+{
+    append_files(shaders, names, NULL, files, 0);
 }
 
 static Program *add_program(Shaders *shaders, const char *constants)
@@ -285,8 +318,8 @@ Program *gl_program(Shaders *shaders, const char *constants,
                     const char *const vertex[], const char *const fragment[])
 {
     Program *program = add_program(shaders, constants);
-    copy_names(vertex, program->vertex);
-    copy_names(fragment, program->fragment);
+    gl_find_files(shaders, vertex, program->vertex);
+    gl_find_files(shaders, fragment, program->fragment);
     return program;
 }
 
@@ -296,7 +329,7 @@ Program *gl_program_of_triangles(Shaders *shaders, const char *constants,
                                  const char *const fragment[])
 {
     Program *program = gl_program(shaders, constants, vertex, fragment);
-    copy_names(geometry, program->geometry);
+    gl_find_files(shaders, geometry, program->geometry);
     return program;
 }
 
@@ -304,7 +337,7 @@ Program *gl_compute_program(Shaders *shaders, const char *constants,
                             const char *const files[])
 {
     Program *program = add_program(shaders, constants);
-    copy_names(files, program->compute);
+    gl_find_files(shaders, files, program->compute);
     return program;
 }
 

@@ -119,7 +119,10 @@ void picture_create_from(Picture *picture, Frame *frame,
     static const char *const unshadowed[] = {
         "step1_shadowmap/shaders/unshadowed.glsl", NULL};
     const BaseSettings *settings = &frame->settings;
-    visibility = frame->looks_up ? visibility : unshadowed;
+    const char *files[PROGRAM_MAX_FILES + 1];
+    gl_find_files(&frame->shaders, frame->looks_up ? visibility : unshadowed,
+                  files);
+    visibility = files;
     *picture = (Picture){.map = map, .footprint = uses_footprint(visibility)};
     picture->target = (Target){.pass = "picture",
                                .kind = TARGET_PICTURE,

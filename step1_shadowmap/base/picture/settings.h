@@ -9,7 +9,7 @@
 #include "step1_shadowmap/base/light/view.h"     // ViewsSize
 #include "step1_shadowmap/base/scene/scene.h"    // Scene
 
-enum { OPTION_TABLES = 7 }; // that a program joins, and the empty one
+enum { OPTION_TABLES = 32 }; // that a program joins, and the empty one
 
 typedef struct BaseSettings {
     const char *program; // stepN_what

@@ -3,7 +3,8 @@
 #include <stdarg.h> // va_start
 #include <stdio.h>  // vsnprintf
 
-#include "step1_shadowmap/base/picture/dump.h" // dump_run, dump_target
+#include "step1_shadowmap/base/picture/dump.h"  // dump_run, dump_target
+#include "step1_shadowmap/base/run/technique.h" // techniques
 
 void run_options(Run *run, int argc, char **argv, int step, const char *program,
                  const ShowMode *more_shows, const OptionTable tables[])
@@ -15,7 +16,16 @@ void run_options(Run *run, int argc, char **argv, int step, const char *program,
     for (; tables->options != NULL; tables++) {
         frame->options[count++] = *tables;
     }
+    for (int i = 0; techniques[i] != NULL; i++) {
+        frame->options[count++] =
+            options_table(techniques[i]->options, techniques[i]->settings);
+    }
     options_parse(argc, argv, frame->options);
+    for (int i = 0; techniques[i] != NULL; i++) {
+        if (techniques[i]->check != NULL) {
+            techniques[i]->check(frame);
+        }
+    }
 }
 
 void run_begin(Run *run)
@@ -32,6 +42,9 @@ void run_begin(Run *run)
 
 void run_look(Run *run)
 {
+    for (int i = 0; techniques[i] != NULL; i++) {
+        techniques[i]->prepare(&run->frame);
+    }
     leave_out_look(&run->left_out, &run->frame);
 }
 
