@@ -19,7 +19,8 @@ before := $(word $(STEP),none $(PROGRAMS))
 PICTURES := $(patsubst %,out/step%.png,1 2 3 4 5)
 
 all: out/steps.png out/table.txt ## set up, build, and draw all five pictures into out/
-	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png'
+	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png;' \
+	    'what they cost: out/table.txt'
 
 include $(PROGRAMS:%=%/Makefile)
 include step1_shadowmap/base/base.mk

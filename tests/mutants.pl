@@ -799,6 +799,10 @@ my %mutants = (
         'looked_up', 'step1_shadowmap/shaders/unshadowed.glsl',
         'lookups = 0;', ''
     ],
+    'shaders where nobody looks for them' => [
+        'robustness/bad_input', 'step1_shadowmap/base/files/tree.c',
+        'strncmp(entry->d_name, "step", 4) == 0', 'entry->d_name[0] != 0'
+    ],
     'a bias may push receivers behind what is left out' => [
         'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'lookups->bias >= 0 &&',

@@ -48,7 +48,7 @@ sub drawn {
       map { ( $_, $texts{$_} ) } sort keys %texts;
     return $runs{$key} if $runs{$key};
     my $folder = "$work/" . keys %runs;
-    make_path( "$folder/shaders", "$folder/dump" );
+    make_path( "$folder/shaders/step1_shadowmap", "$folder/dump" );
     spew( "$folder/shaders/$_", $texts{$_} ) for keys %texts;
     my $run = command(
         @LIMITS, program($step), @SIZE, @$options,

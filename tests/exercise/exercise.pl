@@ -20,7 +20,7 @@ if ( !tasks( $step // '' ) || ( $folder // '' ) eq '' ) {
 }
 if ( -e $folder && ( !-d $folder || ( () = everything_below($folder) ) ) ) {
     print STDERR printable($folder),
-      " is there already, and may be somebody's work\n";
+      " is there already, and may be somebody's work: name a new folder\n";
     exit 2;
 }
 my $run = command( '/usr/bin/env', 'make', '-s', '-C', root(),

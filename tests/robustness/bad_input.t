@@ -104,6 +104,14 @@ SKIP: {
     }
 }
 
+# --- a folder of shaders that is not laid out as the tree -----------------------
+
+spew( 'flat/pcf.glsl', 'float visibility' );
+stops { run( 2, @small, qw(--shaders flat --output a.png) ) } 2,
+  [qr/--shaders 'flat'.*laid out as the tree/],
+  'a shader where nobody looks for it';
+remove_tree('flat');
+
 # --- broken shaders ---------------------------------------------------------
 
 # A copy of a shader, changed by a function on its text, below mine/.

@@ -2,11 +2,12 @@
 
 #include "step1_shadowmap/base/files/tree.h"
 
+#include <dirent.h> // opendir, readdir
 #include <errno.h>  // program_invocation_name
 #include <limits.h> // PATH_MAX
 #include <stdio.h>  // snprintf
 #include <stdlib.h> // realpath
-#include <string.h> // strrchr
+#include <string.h> // strncmp, strrchr
 #include <unistd.h> // readlink
 
 // Without links in it. It may be gone: make has built another since.
@@ -38,6 +39,20 @@ bool tree_find(char folder[FILE_NAME_BYTES])
         *strrchr(folder, '/') = '\0';
         snprintf(step, sizeof step, "%s/step1_shadowmap", folder);
         found = file_is_directory(step);
+    }
+    return found;
+}
+
+bool tree_is_like(const char *folder)
+{
+    bool found = false;
+    DIR *entries = opendir(folder);
+    for (struct dirent *entry = NULL;
+         entries != NULL && !found && (entry = readdir(entries)) != NULL;) {
+        found = strncmp(entry->d_name, "step", 4) == 0;
+    }
+    if (entries != NULL) {
+        closedir(entries);
     }
     return found;
 }

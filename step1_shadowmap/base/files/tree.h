@@ -11,4 +11,7 @@
 // false where there is none.
 bool tree_find(char folder[FILE_NAME_BYTES]);
 
+// Whether a folder is laid out as the tree: it holds a step's folder.
+bool tree_is_like(const char *folder);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step1_shadowmap/base/files/file.h" // file_is_directory, file_make_directory
+#include "step1_shadowmap/base/files/tree.h"       // tree_is_like
 #include "step1_shadowmap/base/files/image.h"      // image_name_is_known
 #include "step1_shadowmap/base/system/printed.h"   // printed_check
 #include "step1_shadowmap/base/scene/scene.h"      // scene_create, scene_list
@@ -224,6 +225,11 @@ void base_settings_check(const BaseSettings *settings)
     check_shadows(settings);
     if (settings->shaders != NULL && !file_is_directory(settings->shaders)) {
         die_usage("--shaders '%s': there is no such directory",
+                  settings->shaders);
+    }
+    if (settings->shaders != NULL && !tree_is_like(settings->shaders)) {
+        die_usage("--shaders '%s': it holds no folder of a step; it has to be "
+                  "laid out as the tree is",
                   settings->shaders);
     }
     if (!image_name_is_known(settings->output)) {
