@@ -1,6 +1,7 @@
 # Variance shadow maps, step by step. `make help` lists the commands.
 
 ROOT := .
+include step1_shadowmap/base/words.mk
 STEP_GIVEN := $(filter-out undefined,$(origin STEP))
 STEP ?= 5
 DEPS ?= yes

@@ -799,6 +799,18 @@ my %mutants = (
         'looked_up', 'step1_shadowmap/shaders/unshadowed.glsl',
         'lookups = 0;', ''
     ],
+    'a shader that a window compiles when it first needs it' => [
+        'robustness/window', 'step1_shadowmap/base/run/run.c',
+        'gl_compile(&frame->shaders);', ''
+    ],
+    'a byte order mark that is compiled' => [
+        'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
+        'strncmp(text, mark, strlen(mark)) == 0', '0'
+    ],
+    'a shader that is cut at a zero byte' => [
+        'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
+        ' || strlen(text) != length', ''
+    ],
     'shaders where nobody looks for them' => [
         'robustness/bad_input', 'step1_shadowmap/base/files/tree.c',
         'strncmp(entry->d_name, "step", 4) == 0', 'entry->d_name[0] != 0'
@@ -951,7 +963,7 @@ my %mutants = (
         'high[axis] = (texels->low[axis] + 1.0)'
     ],
     'a word that make evaluates' => [
-        'robustness/words',   'step1_shadowmap/base/base.mk',
+        'robustness/words',   'step1_shadowmap/base/words.mk',
         '$(filter command,', '$(filter nobody,'
     ],
     'a STEP that is not checked' => [

@@ -4,8 +4,8 @@
 
 # Its rooms, the lowest first: base/README.md says what is where.
 base_rooms := system files gl scene light picture leave_out run
-base := step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh \
-    step1_shadowmap/base/README.md \
+base := $(patsubst %,step1_shadowmap/base/%,\
+    base.mk words.mk set-up.sh README.md) \
     $(patsubst $(ROOT)/%,%,$(wildcard \
     $(base_rooms:%=$(ROOT)/step1_shadowmap/base/%/*.[ch]*))) \
     step1_shadowmap/shaders/surface.glsl \
@@ -29,14 +29,6 @@ base := step1_shadowmap/base/base.mk step1_shadowmap/base/set-up.sh \
     step1_shadowmap/shaders/footprint_nothing.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \
     step1_shadowmap/shaders/present.frag
-
-# A word on the command line is data. Otherwise make would evaluate the name of
-# a folder, for example $(shell ...), when it hands the name to a recipe. Recipes
-# read such words from their environment. The compilers and their flags stay
-# text for make and the shell.
-$(foreach word,$(filter-out CC CXX %FLAGS,$(.VARIABLES)),\
-    $(if $(filter command,$(firstword $(origin $(word)))),\
-        $(eval override $(word) := $$(value $(word)))$(eval export $(word))))
 
 # A single folder or a copy of it names what is missing and installs nothing.
 DEPS ?= no

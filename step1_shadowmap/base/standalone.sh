@@ -27,9 +27,11 @@ quoted() {
 }
 
 case $folder in -*) folder=./$folder ;; esac
-# A copy in step4_mine would be taken for a step, and one in tests/ for tests.
+# A copy in step4_mine would be taken for a step, one in tests/ for tests, and
+# make clean removes what is in build/ and out/.
 case $(realpath -m "$folder")/ in
-"$(pwd -P)"/step* | "$(pwd -P)"/tests/* | "$(pwd -P)"/.*)
+"$(pwd -P)"/step* | "$(pwd -P)"/tests/* | "$(pwd -P)"/.* | \
+    "$(pwd -P)"/build/* | "$(pwd -P)"/out/*)
     refuse "is a name that the tree needs: name another folder"
     ;;
 esac

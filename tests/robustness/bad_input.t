@@ -167,6 +167,15 @@ change_shader( 'step1_shadowmap/shaders/surface.glsl',
 stops { draw_with_mine(1) } 1, [qr/surface_normal/],
   'the two shaders disagree about surface_normal';
 
+# What editors do: a byte order mark in front is no fault; a file that is no
+# text is, and is named.
+change_shader( $hard, sub { $_ = "\xef\xbb\xbf$_" } );
+my $marked = draw_with_mine(1);
+is( $marked->{status} . $marked->{err}, '0', 'a byte order mark' );
+unlink 'a.png';
+change_shader( $hard, sub { s/receiver/rec\0iver/ } );
+stops { draw_with_mine(1) } 1, [qr{mine/\Q$hard\E .*no text}], 'a zero byte';
+
 change_shader( $hard, sub { $_ = '' } );
 stops { draw_with_mine(1) } 1, [ qr/shader/, qr/visibility/ ], "an empty $hard";
 remove_tree('mine');

@@ -170,6 +170,23 @@ sub check_step {
     return ( $window, $first );
 }
 
+# The shader of a pass that no picture needed yet is broken, and then it may be
+# needed: the window says so and stays.
+sub check_unused {
+    my $shader = 'step1_shadowmap/shaders/map.vert';
+    spew( "mine/$shader", slurp( root() . "/$shader" ) );
+    my $window = open_window( 5,
+        qw(--scene unlit --size 160x90 --map-size 64 --shaders mine) );
+    spew( "mine/$shader", 'broken' );
+    press('r');
+    ok( soon { title($window) =~ /shader error$/ },
+        'a wrong shader that no picture needed yet' );
+    press('Right');
+    press('Escape');
+    is( closed($window), 0, 'does not close the window' );
+    return;
+}
+
 # Presses a key after `before`; it has to print the keys, once.
 sub helps {
     my ( $name, $key, @before ) = @_;
@@ -301,6 +318,7 @@ for my $step ( 1 .. 5 ) {
     press('Escape');
     is( closed($window), 0, "step $step: escape closes the window" );
 }
+check_unused();
 run( 5, qw(--size 320x180 --output offscreen.png) );
 my $window = open_window( 5, qw(--size 320x180 --output saved.png) );
 is( slurp('stdout'), "h prints what the keys do in the window\n",

@@ -101,6 +101,7 @@ my @before = everything_below('.');
 for my $name (
     qw(full full/ ./full full/../full hidden odd to_full . .. file to_nothing),
     qw(step4_blur step4_mine step4_blur/new tests tests/images .git/x),
+    qw(build out/new),
     "$tree/full"
   )
 {
@@ -152,9 +153,23 @@ for my $name (qw(BUILD DEPS)) {
 }
 
 for my $word (@attacks) {
-    my $run = make( 'report', "REPORT=$word", "OTHER=$word" );
+    my $run = make( 'report', "REPORT=$word" );
     is( $run->{out}, "<$word>", "make report REPORT=$word" );
     ok( !$run->{evaluated}, "REPORT=$word is not evaluated" );
+}
+
+# The Makefiles' own names, and those of a single folder.
+for my $word ( map { ( "before=$_", "base=$_", "OTHER=$_" ) } @attacks ) {
+    my $run = make( 'diff', 'STEP=2', $word );
+    is( $run->{status}, 2, title( $word, 'is refused' ) );
+    ok( !$run->{evaluated}, title( $word, 'is not evaluated' ) );
+}
+for my $name (qw(ROOT PROGRAMS)) {
+    local $ENV{$name} = $attacks[0];
+    my $run = make(qw(-C step1_shadowmap set-up));
+    is( $run->{status}, 0, "one step alone: $name in the environment" )
+      or diag( $run->{err} );
+    ok( !$run->{evaluated}, "$name in the environment is not evaluated" );
 }
 
 # --- a class -----------------------------------------------------------------

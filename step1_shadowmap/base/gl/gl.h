@@ -75,10 +75,14 @@ Program *gl_compute_program(Shaders *shaders, const char *constants,
 // in.
 GLuint gl_use(Program *program);
 
-// Reads the files of all programs that were used again. If they compile, the
-// new programs take the place of the old ones, with all uniforms at 0; else one
-// line on stderr gives the file and line, that program stays as it was, and the
-// result is false.
+// Compiles all programs that were not used yet: after that a file that somebody
+// breaks cannot stop the run.
+void gl_compile(Shaders *shaders);
+
+// Reads the files of all programs that were compiled again. If they compile,
+// the new programs take the place of the old ones, with all uniforms at 0; else
+// one line on stderr gives the file and line, that program stays as it was, and
+// the result is false.
 bool gl_reload(Shaders *shaders);
 
 void gl_destroy_programs(Shaders *shaders);

@@ -6,7 +6,7 @@
 #include <errno.h>
 #include <stdio.h>    // fopen, snprintf, sscanf
 #include <stdlib.h>   // free
-#include <string.h>   // strchr, strcspn, strstr
+#include <string.h>   // memmove, strchr, strcspn, strlen, strncmp, strstr
 #include <sys/stat.h> // lstat
 
 #include "step1_shadowmap/base/system/die.h" // allocate, complain, die
@@ -33,17 +33,22 @@ struct Program {
     const char *fragment[PROGRAM_MAX_FILES + 1];
 };
 
-// What is left of the file as a string; NULL if it cannot be read.
+// What is left of the file as a string; NULL if it cannot be read or is no
+// text. A byte order mark, which some editors put in front, is none of GLSL.
 static char *read_all(FILE *file)
 {
+    static const char mark[] = "\xef\xbb\xbf";
     char *text = allocate(FILE_BYTES, 1);
     size_t length = 0;
     while (!feof(file) && !ferror(file) && length + 1 < FILE_BYTES) {
         length += fread(text + length, 1, FILE_BYTES - length - 1, file);
     }
-    if (ferror(file) || !feof(file)) {
+    if (ferror(file) || !feof(file) || strlen(text) != length) {
         free(text);
         return NULL;
+    }
+    if (strncmp(text, mark, strlen(mark)) == 0) {
+        memmove(text, text + strlen(mark), length + 1 - strlen(mark));
     }
     return text;
 }
@@ -91,7 +96,7 @@ static char *read_shader(const Program *program, const char *name,
     char *text = file == NULL ? NULL : read_all(file);
     if (text == NULL) {
         snprintf(message, MESSAGE_BYTES,
-                 "cannot read %s (or it is over %d bytes)", path,
+                 "cannot read %s (or it is no text, or over %d bytes)", path,
                  FILE_BYTES - 1);
     }
     if (file != NULL) {
@@ -352,6 +357,14 @@ GLuint gl_use(Program *program)
     }
     glUseProgram(program->id);
     return program->id;
+}
+
+void gl_compile(Shaders *shaders)
+{
+    for (Program *program = shaders->programs; program != NULL;
+         program = program->next) {
+        gl_use(program);
+    }
 }
 
 bool gl_reload(Shaders *shaders)

@@ -91,6 +91,7 @@ static void begin_first(Run *run, Picture *picture, const char *subject)
     if (frame->settings.window) {
         base_prepare_files(&frame->settings, frame->options);
         run->window = window_create(&run->context, &frame->shaders, subject);
+        gl_compile(&frame->shaders);
     }
 }
 
