@@ -12,10 +12,14 @@ our @EXPORT_OK = qw(%LESSONS);
 #   function  its heading in `file`, which is in the step's shaders/
 #   empty     what stands there instead of its body, so that it still draws
 #   words     what it has to do
-#   options   of the run that is looked at
+#   options   of the run that is looked at first, where mistakes are told apart
+#   also      runs in which it has to be right too, because there something is
+#             another that the first run would let it hold fixed (a size, a
+#             layer, a constant): what is different from the first. In the
+#             first function's the whole program is looked at, too
 #   checks    what the oracle is asked about that run, and how those of its
 #             lines begin that are about this function
-#   shows     [file of the dump, channel]: where a difference is looked for
+#   shows     [files of the dump, channel]: where a difference is looked for
 #   same      files of the dump that are as in the right program: what is drawn
 #             before this function's result, and maps, in which every texel is
 #             known
@@ -28,9 +32,25 @@ my @VISIBILITY = (
 );
 my @BLUR = (
     checks => [ [ 'stage', qr/stage blur/ ] ],
-    shows  => [ 'blurred.0', 0 ],
+    shows  => [ 'blurred', 0 ],
     same   => qr/^(?:moments|blurred|position|normal)\b.*exr$/
 );
+
+# Maps that are not square and have several layers: a point light's six, and
+# those of a view in parts, after the last of which there is only light, as there
+# is where a light's view ends.
+my @ROOM   = qw(--scene room --map-size 96x160);
+my @SPLITS = qw(--scene cut --splits 2 --map-size 96x160);
+
+# Something casts from before the near plane of each.
+my @BEFORE = qw(--scene avenue --splits 2 --map-size 96x160);
+
+# Where moments are merged in another way, and rounded when they are stored.
+my @HALF = qw(--moments central --format rg16f);
+
+# With other constants than step 5 has.
+my @OTHER =
+  ( @ROOM, qw(--moments raw --bleed-reduction 0.5 --variance-bias 1e-3) );
 our %LESSONS = (
     1 => [
         {
@@ -44,6 +64,7 @@ our %LESSONS = (
               . 'most layers - 1), make the perspective, and let '
               . 'light_depth() say how deep it is.',
             options  => [qw(--scene stage)],
+            also     => [ { options => [@SPLITS], @VISIBILITY } ],
             checks   => [ [ 'matrix', qr/receiver/ ] ],
             shows    => [ 'receiver', 0 ],
             same     => qr/^(?:depth|position|normal)\b.*exr$/,
@@ -80,6 +101,7 @@ our %LESSONS = (
               . 'comparison_bias(receiver, 1, vec2(size)) says by how much '
               . 'the receiver is to be taken nearer to the light.',
             options  => [],
+            also     => [ { options => [@ROOM] } ],
             @VISIBILITY,
             mistakes => [
                 [
@@ -120,6 +142,7 @@ our %LESSONS = (
               . 'lit. occluder_depth(texel, layer) reads a depth, '
               . 'comparison_bias(receiver, n, vec2(size)) is the bias.',
             options  => [],
+            also     => [ { options => [ @ROOM, qw(--kernel 3) ] } ],
             @VISIBILITY,
             mistakes => [
                 [
@@ -171,8 +194,9 @@ our %LESSONS = (
               . 'texel, E[x] and E[x^2]. It holds one depth x, that of '
               . 'map_depth(relative_position, layer).',
             options  => [],
+            also     => [ { options => [@BEFORE] } ],
             checks   => [ [ 'stage', qr/stage moments/ ], [ 'rays', qr/map depths/ ] ],
-            shows    => [ 'moments.0', 1 ],
+            shows    => [ 'moments', 1 ],
             same     => qr/^(?:moments|position|normal)\b.*exr$/,
             mistakes => [
                 [
@@ -201,6 +225,7 @@ our %LESSONS = (
               . 'that moments_at(receiver) finds. The bias is '
               . 'comparison_bias(receiver, 1, size), size in texels.',
             options  => [],
+            also     => [ { options => [@ROOM] } ],
             @VISIBILITY,
             mistakes => [
                 [
@@ -230,6 +255,14 @@ our %LESSONS = (
               . 'merge_end() add up moments of either kind; stored() keeps '
               . 'what the format can hold.',
             options  => [qw(--blur gaussian --radius 4 --blur-by fragments)],
+            also     => [
+                {
+                    options => [
+                        @ROOM, @HALF,
+                        qw(--blur boxes --radius 4 --blur-by fragments)
+                    ]
+                }
+            ],
             @BLUR,
             mistakes => [
                 [
@@ -268,6 +301,7 @@ our %LESSONS = (
               . 'texels that this one covers, with merge_about(), '
               . 'merge_add(), merge_end(), and stored() as in blur.frag.',
             options  => [qw(--downsample 2)],
+            also     => [ { options => [ @ROOM, @HALF, qw(--downsample 4) ] } ],
             @BLUR,
             mistakes => [
                 [
@@ -298,6 +332,7 @@ our %LESSONS = (
               . 'behind it, of all distributions with this mean and variance: '
               . 'the one-tailed inequality.',
             options  => [qw(--bleed-reduction 0)],
+            also     => [ { options => [@OTHER] } ],
             @VISIBILITY,
             mistakes => [
                 [
@@ -354,6 +389,7 @@ our %LESSONS = (
             words    => 'Cut off what is below bleed_reduction and stretch '
               . 'the rest to [0, 1].',
             options  => [qw(--bleed-reduction 0.3)],
+            also     => [ { options => [@OTHER] } ],
             @VISIBILITY,
             mistakes => [
                 [
@@ -391,6 +427,7 @@ our %LESSONS = (
               . 'variance, which is 1 at most; then chebyshev() at the '
               . 'receiver\'s depth, and reduce_bleeding().',
             options  => [qw(--variance-bias 1e-4)],
+            also     => [ { options => [ @OTHER, qw(--variance-bias 1) ] } ],
             @VISIBILITY,
             mistakes => [
                 [

@@ -110,10 +110,19 @@ sub difference {
     return $out =~ /largest (\S+) .*RMSE (\S+),/;
 }
 
-# The same between what two dumps show of a task.
+# The same between what two dumps show of a task, and the file of it in which
+# they differ most.
 sub difference_shown {
     my ( $task, @dumps ) = @_;
-    return difference( map { "$_/$task->{shows}[0].exr" } @dumps );
+    my @most = (-1);
+    for my $file ( grep { /^$task->{shows}[0]\b.*exr$/ }
+        everything_below( $dumps[1] ) )
+    {
+        my ( $largest, $rmse ) = difference( map { "$_/$file" } @dumps );
+        return ( undef, undef, $file ) if !defined $largest;
+        @most = ( $largest, $rmse, $file ) if $largest > $most[0];
+    }
+    return @most;
 }
 
 # The first file in which the dumps may not differ and do: what is drawn covers
@@ -133,6 +142,7 @@ sub moved {
 sub reason {
     my ( $step, $task, $dump, $wrong ) = @_;
     return 'There are values that are no numbers.' if !defined $wrong;
+    return if !$task->{mistakes};
     my @known = (
         [ 'It is not written yet.', emptied( $step, $task ) ],
         map { [ $_->[0], mistaken( $step, $task, $_ ) ] }
@@ -152,12 +162,13 @@ sub reason {
     return $words;
 }
 
-# Yours, the right one, and the difference, which is `largest` somewhere, as the
-# bytes of a PNG, and a line that says so; nothing if it cannot be made.
+# Yours, the right one, and the difference of a file, which is `largest`
+# somewhere, as the bytes of a PNG, and a line that says so; nothing if it cannot
+# be made.
 sub shown {
-    my ( $task, $largest, @dumps ) = @_;
-    my ( $file, $channel ) = @{ $task->{shows} };
-    my ( $mine, $right ) = map { "$_/$file.exr" } @dumps;
+    my ( $task, $largest, $file, @dumps ) = @_;
+    my $channel = $task->{shows}[1];
+    my ( $mine, $right ) = map { "$_/$file" } @dumps;
     my @one   = ( '--ch', $channel );
     my @grey  = ( @one, '--ch', '0,0,0', '--chnames', 'R,G,B' );
     my $scale = '0,0,1,1,1,1,1,0,0';    # blue, white, red
@@ -176,20 +187,42 @@ sub shown {
 }
 
 # Of a task whose file holds this text: what is wrong with it, line by line;
-# nothing if it is right. Where something wrong was drawn, the code gets the
-# picture's bytes and the words for it, and returns a line.
+# nothing if it is right, in all its runs. Where something wrong was drawn, the
+# code gets the picture's bytes and the words for it, and returns a line.
 sub mark {
     my ( $step, $task, $text, $keep ) = @_;
     return 'It holds a byte 0: it is no text.' if $text =~ /\0/;
+    my @wrong = mark_run( $step, $task, $text, $keep );
+    return @wrong if @wrong;
+    for ( @{ $task->{also} } ) {
+        my %run = ( %$task, mistakes => undef, %$_ );
+        @wrong = mark_run( $step, \%run, $text, $keep ) or next;
+        return ( fixed( $task->{options}, $run{options} ), @wrong );
+    }
+    return;
+}
+
+sub fixed {
+    my @options = map { @$_ ? "@$_" : 'the default options' } @_;
+    return "It is right with $options[0], and wrong with $options[1]: "
+      . 'what is fixed in it that is another there, a size, a layer, a constant?';
+}
+
+# The same of one run. Where no mistakes are known no reason is looked for.
+sub mark_run {
+    my ( $step, $task, $text, $keep ) = @_;
     my $right = right_dump( $step, $task->{options} );
     my $run =
       drawn( $step, $task->{options}, task_file( $step, $task ) => $text );
     return @{ $run->{said} } if @{ $run->{said} };
     my $dump       = $run->{folder};
-    my @objections = objections( $task, $dump );
-    my ( $largest, $rmse ) = difference_shown( $task, $dump, $right );
+    my ( $largest, $rmse, $file ) = difference_shown( $task, $dump, $right );
+    my @objections =
+      defined $largest && $largest <= $ROUNDING
+      ? ()
+      : objections( $task, $dump );
     my @wrong;
-    if ( !@objections || defined $largest && $largest <= $ROUNDING ) {
+    if ( !@objections ) {
         my $moved = moved( $task, $dump, $right ) // return;
         @wrong = (
             'It does not draw the same pixels as the right one: it leaves '
@@ -201,20 +234,26 @@ sub mark {
     else {
         @wrong = ( reason( $step, $task, $dump, $rmse ), $objections[0] );
     }
-    my @picture = $keep ? shown( $task, $largest, $dump, $right ) : ();
+    my @picture =
+      $keep ? shown( $task, $largest, $file, $dump, $right ) : ();
     return ( @wrong, @picture ? $keep->(@picture) : () );
 }
 
 # Of a program with these texts in the place of its shaders, as a whole.
 sub mark_whole {
     my ( $step, %texts ) = @_;
-    my $right = right_dump( $step, [] );
-    my $run   = drawn( $step, [], %texts );
-    return @{ $run->{said} } if @{ $run->{said} };
-    my ($largest) =
-      difference( map { "$_/picture.exr" } $run->{folder}, $right );
-    return if defined $largest && $largest <= $VISIBLE;
-    return 'It draws something else, though all functions are right.';
+    my ($first) = tasks($step);
+    for my $options ( [], map { $_->{options} } @{ $first->{also} } ) {
+        my $right = right_dump( $step, $options );
+        my $run   = drawn( $step, $options, %texts );
+        return @{ $run->{said} } if @{ $run->{said} };
+        my ($largest) =
+          difference( map { "$_/picture.exr" } $run->{folder}, $right );
+        next if defined $largest && $largest <= $VISIBLE;
+        return 'It draws something else, though all functions are right.',
+          @$options ? "with @$options" : ();
+    }
+    return;
 }
 
 1;

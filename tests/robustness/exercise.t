@@ -50,6 +50,55 @@ for my $step ( 1 .. 5 ) {
     }
 }
 
+# What the first run lets a function hold fixed, and another one does not: what is
+# instead of what.
+my $SIZE = 'textureSize(shadow_map, 0).xy';
+for (
+    [ 1, 'hard.glsl',            $SIZE                       => 'ivec2(128)' ],
+    [ 1, 'hard.glsl',            'receiver.layer)'           => '0)' ],
+    [ 1, 'map_coordinates.glsl', 'min(layer, layers - 1)'    => '0' ],
+    [ 1, 'map_coordinates.glsl', 'receiver.layer < layers &&' => '' ],
+    [ 1, 'map_coordinates.glsl', 'return receiver' => 'return true || receiver' ],
+    [ 2, 'pcf.glsl', 'kernel,' => '7,', 'kernel /' => '7 /', 'kernel * kernel' => '49' ],
+    [ 2, 'pcf.glsl', 'receiver.layer)' => '0)' ],
+    [ 2, 'pcf.glsl', $SIZE => 'ivec2(128)' ],
+    [ 3, 'moments.frag', 'position, layer' => 'position, 0' ],
+    [ 3, 'moments.frag', 'map_depth' => 'light_depth' ],
+    [ 3, 'mean.glsl', "vec2($SIZE)" => 'vec2(128.0)' ],
+    [ 4, 'downsample.frag', '* factor' => '* 2', 'y < factor' => 'y < 2', 'x < factor' => 'x < 2' ],
+    [ 4, 'downsample.frag', 'float(factor * factor)' => '4.0' ],
+    [ 4, 'blur.frag', 'stored(' => '(' ],
+    [ 4, 'blur.frag', 'sides.y' => 'sides.x' ],
+    [
+        4, 'blur.frag',
+        'Merge merge = merge_about(map_texel(middle))' => 'vec2 sum = vec2(0.0)',
+        'merge_add(merge, weight, map' => 'sum += weight * (map',
+        'merge_end(merge, 1.0)' => 'sum'
+    ],
+    [
+        5, 'reduction_linear.glsl',
+        '(p_max - bleed_reduction) / (1.0 - bleed_reduction)' =>
+          '(p_max - 0.3) / 0.7'
+    ],
+    [
+        5, 'visibility.glsl',
+        'reduce_bleeding(chebyshev(depths.x, variance, receiver.depth))' =>
+          'clamp((chebyshev(depths.x, variance, receiver.depth) - 0.18) / 0.82, '
+          . '0.0, 1.0)'
+    ],
+    [ 5, 'visibility.glsl', 'min(depths.y + variance_bias, 1.0)' =>
+          'depths.y + variance_bias' ],
+    [ 5, 'visibility.glsl', 'variance_bias' => '1e-4' ],
+  )
+{
+    my ( $step, $file, @pairs ) = @$_;
+    my ($task) = grep { $_->{file} eq $file } tasks($step);
+    my ($words) =
+      mark( $step, $task, mistaken( $step, $task, [ '', @pairs ] ) );
+    like( $words // 'right', qr/^It is right with .*, and wrong with/,
+        "step $step, $file with '$pairs[1]'" );
+}
+
 # As good, but written otherwise; wrong in a way that nobody knows; no number.
 my ($chebyshev) = grep { $_->{file} eq 'chebyshev.glsl' } tasks(5);
 
