@@ -49,15 +49,19 @@ const char *chebyshev_reduction_shader(const ChebyshevSettings *settings)
                : "step5_chebyshev/shaders/reduction_linear.glsl";
 }
 
-const char *chebyshev_guard_shader(const ChebyshevSettings *settings,
-                                   const MomentsSettings *moments)
+// One rounding changes a number by at most u = 2^-24 of itself. A mean of n
+// texels rounds each of them n times, and its weight once. After N roundings M1
+// is off by N u M1. M2 - M1 * M1 is off by 3 N u M2, as M1 * M1 is at most M2,
+// and by 3 u M2 more: two squares and the difference are rounded. Each axis of
+// the lookup, a + w (b - a), is off by 3 u of the largest depth, 1.
+GuardNumbers chebyshev_guard(int radius, int factor)
 {
-    if (settings->min_variance != OPTION_AUTO) {
-        return "step5_chebyshev/shaders/guard_constant.glsl";
-    }
-    return moments_are_central(moments)
-               ? "step5_chebyshev/shaders/guard_central.glsl"
-               : "step5_chebyshev/shaders/guard_raw.glsl";
+    int along = radius > 0 ? 2 * radius + 2 : 0; // one axis
+    int group = factor > 1 ? factor * factor + 1 : 0;
+    float u = 1.01F * 0x1p-24F; // a hundredth for the products of errors
+    float part = u * (float)(2 * along + group + 1), rest = 6 * u;
+    return (GuardNumbers){.mean = {part, rest},
+                          .variance = {3 * part, 3 * rest}};
 }
 
 void chebyshev_constants(const ChebyshevSettings *settings,

@@ -3,8 +3,6 @@
 #define STEP5_CHEBYSHEV_H
 
 #include "step1_shadowmap/base/system/options.h" // Option
-#include "step3_moments/moments.h"               // MomentsSettings
-#include "step5_chebyshev/guard.h"               // GuardNumbers
 
 typedef struct ChebyshevSettings {
     double min_variance;    // of the squared depth range, or OPTION_AUTO
@@ -20,9 +18,17 @@ ChebyshevSettings chebyshev_settings(void);
 // The shader file that defines reduce_bleeding() for these settings.
 const char *chebyshev_reduction_shader(const ChebyshevSettings *settings);
 
-// The one that says what variance and distance go into the bound.
-const char *chebyshev_guard_shader(const ChebyshevSettings *settings,
-                                   const MomentsSettings *moments);
+// --min-variance auto: the most that rounding can have changed the variance and
+// the mean. See guard_raw.glsl; guard_central.glsl takes them differently.
+typedef struct GuardNumbers {
+    float variance[2]; // the part of M2, and a constant
+    float mean[2];     // the part of M1, and a constant
+    float spread;      // of central moments
+} GuardNumbers;
+
+// These numbers of raw moments in 32 bits that are downsampled by a factor,
+// blurred along both axes and looked up bilinearly.
+GuardNumbers chebyshev_guard(int radius, int factor);
 
 enum { CHEBYSHEV_CONSTANTS_BYTES = 320 };
 

@@ -76,6 +76,8 @@
 
 #include <stdbool.h>
 
+#include "step5_chebyshev/chebyshev.h" // GuardNumbers
+
 // One of the averages in a row.
 typedef struct GuardPass {
     int taps;
@@ -96,13 +98,6 @@ typedef struct GuardChain {
     GuardPass passes[GUARD_MAX_PASSES];
     int count;
 } GuardChain;
-
-// The constants of guard_raw.glsl and guard_central.glsl.
-typedef struct GuardNumbers {
-    float spread;
-    float variance[2];
-    float mean[2];
-} GuardNumbers;
 
 void guard_add(GuardChain *chain, GuardPass pass);
 

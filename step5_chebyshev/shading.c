@@ -176,6 +176,17 @@ Lookups shading_lookups(const ShadingSettings *settings, const Frame *frame)
     return lookups;
 }
 
+// The shader file that says what variance and distance go into the bound.
+static const char *guard_shader(const ShadingSettings *settings)
+{
+    if (settings->chebyshev.min_variance != OPTION_AUTO) {
+        return "step5_chebyshev/shaders/guard_constant.glsl";
+    }
+    return moments_are_central(&settings->moments)
+               ? "step5_chebyshev/shaders/guard_central.glsl"
+               : "step5_chebyshev/shaders/guard_raw.glsl";
+}
+
 // Puts the adaptive box's lookup, and the footprint that this one asks for, in
 // place of the fixed box's.
 static void adapt_box(const char *files[])
@@ -209,7 +220,7 @@ static const char **append_soft(const ShadingSettings *settings,
         moments_between_shader(&settings->moments),
         "step1_shadowmap/shaders/depth_slope.glsl",
         "step4_blur/shaders/mip_levels.glsl",
-        chebyshev_guard_shader(&settings->chebyshev, &settings->moments),
+        guard_shader(settings),
         "step5_chebyshev/shaders/chebyshev.glsl",
         "step2_pcf/techniques/poisson/poisson_disc.glsl",
         "step5_chebyshev/shaders/penumbra.glsl",
@@ -225,10 +236,8 @@ static const char **append_blur(const ShadingSettings *settings,
     static const char *const bound[] = {
         "step5_chebyshev/shaders/chebyshev.glsl", NULL};
     const char *usual[SHADING_MAX_SHADERS];
-    blur_picture_shaders(
-        &settings->blur, &settings->moments,
-        chebyshev_guard_shader(&settings->chebyshev, &settings->moments),
-        usual);
+    blur_picture_shaders(&settings->blur, &settings->moments,
+                         guard_shader(settings), usual);
     if (strcmp(settings->sat_width, "adaptive") == 0) {
         adapt_box(usual);
     }
@@ -249,11 +258,23 @@ void shading_shaders(const ShadingSettings *settings, const char *files[])
     *files = NULL;
 }
 
+// Whether chebyshev_guard() knows every rounding. guard.c knows those of the
+// techniques, too.
+static bool is_plain(const MomentsSettings *moments, const BlurSettings *blur)
+{
+    return !moments_are_central(moments) && moments->msaa == 1 &&
+           moments_format(moments) == GL_RG32F && !blur->mips && !blur->sat &&
+           strcmp(blur->kernel, "boxes") != 0;
+}
+
 static void find_constants(ShadingSettings *settings, const Blur *filter)
 {
-    int lookups = settings->soft ? SOFT_TAPS : settings->blur.anisotropy;
+    const BlurSettings *blur = &settings->blur;
+    int lookups = settings->soft ? SOFT_TAPS : blur->anisotropy;
     GuardNumbers guard =
-        guard_of_settings(&settings->moments, &settings->blur, filter, lookups);
+        is_plain(&settings->moments, blur)
+            ? chebyshev_guard(blur_used_radius(blur), blur->downsample)
+            : guard_of_settings(&settings->moments, blur, filter, lookups);
     chebyshev_constants(&settings->chebyshev, &guard, settings->constants);
 }
 

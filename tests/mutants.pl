@@ -412,11 +412,20 @@ my %mutants = (
     ],
     'a tenth of what raw moments lose' => [
         'central', 'step5_chebyshev/shaders/guard_raw.glsl',
-        'guard_variance.x) * moments', '0.1 * guard_variance.x) * moments'
+        'guard_variance.x * M2', '0.1 * guard_variance.x * M2'
     ],
     'ten times what raw moments lose' => [
         'central', 'step5_chebyshev/shaders/guard_raw.glsl',
-        'guard_variance.x) * moments', '10.0 * guard_variance.x) * moments'
+        'guard_variance.x * M2', '10.0 * guard_variance.x * M2'
+    ],
+    'a closed form of one axis' => [
+        'step5', 'step5_chebyshev/chebyshev.c', '2 * along', 'along'
+    ],
+    'a closed form without downsampling' => [
+        'step5', 'step5_chebyshev/chebyshev.c', ' + group', ''
+    ],
+    'a variance that loses as little as the mean' => [
+        'step5', 'step5_chebyshev/chebyshev.c', '3 * part', 'part'
     ],
     'projected in the map, not divided' => [
         'moments', 'step3_moments/shaders/projected_depth.glsl',

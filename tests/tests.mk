@@ -25,7 +25,8 @@ $(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | set-up
 	@$(CC) -std=c11 -MMD -MP $(WARNINGS) -I. $(CFLAGS) -ffp-contract=off \
 	    -c -o $@ $<
 # And step 5's own numbers, to be held against them.
-STABILITY_SHARED := $(BUILD)/obj/step5_chebyshev/guard.c.o \
+STABILITY_SHARED := $(BUILD)/obj/step5_chebyshev/chebyshev.c.o \
+    $(BUILD)/obj/step5_chebyshev/guard.c.o \
     $(BUILD)/obj/step1_shadowmap/base/system/die.c.o \
     $(BUILD)/obj/step1_shadowmap/base/system/memory.c.o
 $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)

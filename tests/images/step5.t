@@ -33,6 +33,8 @@ for my $ratio ( 1, 2, 4 ) {
 }
 
 for my $options (
+    [qw(--moments raw)],
+    [qw(--moments raw --downsample 4 --radius 1)],
     [qw(--bleed-reduction 0.18)],
     [qw(--bleed-reduction 0.9)],
     [qw(--bleed-reduction 0.3 --reduction smooth)],

@@ -16,10 +16,11 @@ static const char usage[] =
     "fuzz [--count N] [--seed N] [--csv] [--break MISTAKE]\n"
     "     checks N random windows; --csv prints each one's error\n"
     "fuzz --shadows  p left in full shadow by gap and format\n"
+    "fuzz --closed-form  step 5's closed form, in parts of guard.c's numbers\n"
     "fuzz --cases [--break MISTAKE]  extreme windows, as CSV\n"
     "mistakes: variance-sign, naive-merge, bound-tenth, bound-tenfold\n";
 
-typedef enum What { WINDOWS, SAMPLES, SHADOWS, CASES } What;
+typedef enum What { WINDOWS, SAMPLES, SHADOWS, CLOSED_FORM, CASES } What;
 
 typedef struct Options {
     long count;
@@ -49,7 +50,8 @@ static Fault fault_named(const char *name)
 
 static What what_named(const char *word)
 {
-    static const char *const names[] = {"", "--csv", "--shadows", "--cases"};
+    static const char *const names[] = {"", "--csv", "--shadows",
+                                        "--closed-form", "--cases"};
     for (int what = SAMPLES; what <= CASES; what++) {
         if (strcmp(names[what], word) == 0) {
             return (What)what;
@@ -241,6 +243,9 @@ int main(int count, char **words)
     switch (options.what) {
     case SHADOWS:
         print_shadow_table();
+        return 0;
+    case CLOSED_FORM:
+        print_closed_form();
         return 0;
     case CASES:
         print_case_rows(options.fault);

@@ -19,6 +19,14 @@ for my $seed ( 1, 2 ) {
 is( command( $fuzz, '--count', 50 )->{out},
     command( $fuzz, '--count', 50 )->{out}, 'the same windows every time' );
 
+# The lesson's closed form is at least the number that guard.c proves for the
+# same chain, and hardly more: of all radii, downsampled by 1, 2, 4, 8 and 16.
+my @parts =
+  command( $fuzz, '--closed-form' )->{out} =~ /^factor \d+: (\S+) to (\S+)$/mg;
+is( scalar @parts, 10, 'closed form: five factors' );
+cmp_ok( $_, '>=', 1, 'closed form: no less than the chain' ) for @parts;
+cmp_ok( $_, '<=', 1.1, 'closed form: no more than a tenth more' ) for @parts;
+
 for my $fault (qw(variance-sign naive-merge bound-tenth bound-tenfold)) {
     my $run = command( $fuzz, '--break', $fault );
     is( $run->{status}, 1, "$fault is found" );

@@ -1,7 +1,9 @@
 #include "tests/stability/step5_guard.h"
 
-#include <math.h> // fmax
+#include <math.h>  // fmax, fmin
+#include <stdio.h> // printf
 
+#include "step5_chebyshev/chebyshev.h" // chebyshev_guard
 #include "step5_chebyshev/guard.h"
 #include "tests/stability/bound.h" // errors_of
 
@@ -61,4 +63,42 @@ bool step5_guards(const Chain *chain)
            within(own.mean, e.mean, asked.mean, 2 * store) &&
            within(own.tiny, e.lerp2, asked.tiny, 0) &&
            within(own.tiny_shift, e.lerp, asked.tiny_shift, 0);
+}
+
+// A box of this radius after downsampling by a factor, as guard_settings.c has
+// it.
+static GuardNumbers of_chain(int radius, int factor)
+{
+    GuardChain chain = {.central = false};
+    int taps = 2 * radius + 1;
+    if (factor > 1) {
+        guard_add_box(&chain, factor * factor);
+    }
+    for (int axis = 0; axis < 2 && radius > 0; axis++) {
+        guard_add(&chain, (GuardPass){.taps = taps,
+                                      .heaviest = 1.0 / taps,
+                                      .defect = ROUNDOFF,
+                                      .stored = true});
+    }
+    guard_add_bilinear(&chain);
+    return guard_numbers(&chain);
+}
+
+void print_closed_form(void)
+{
+    for (int factor = 1; factor <= 16; factor *= 2) {
+        double least = HUGE_VAL, most = 0;
+        for (int radius = 0; radius <= 1024; radius++) {
+            GuardNumbers own = chebyshev_guard(radius, factor);
+            GuardNumbers chain = of_chain(radius, factor);
+            for (int i = 0; i < 2; i++) {
+                double mean = (double)own.mean[i] / (double)chain.mean[i];
+                double variance =
+                    (double)own.variance[i] / (double)chain.variance[i];
+                least = fmin(least, fmin(mean, variance));
+                most = fmax(most, fmax(mean, variance));
+            }
+        }
+        printf("factor %d: %.5f to %.5f\n", factor, least, most);
+    }
 }

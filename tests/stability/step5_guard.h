@@ -11,4 +11,8 @@ Guard guard_of_step5(const Chain *chain);
 // is against, and no more than half of it more than guard_of() has.
 bool step5_guards(const Chain *chain);
 
+// The lesson's closed form in parts of what guard.c has for the same chain: of
+// every radius and some factors the smallest and the largest part.
+void print_closed_form(void);
+
 #endif
