@@ -16,7 +16,8 @@ const Option moments_options[] = {
      .offset = offsetof(MomentsSettings, moments),
      .choices = "raw,central",
      .help = "what a texel holds: E[x] and E[x^2] of its depths x, or their "
-             "mean and variance"},
+             "mean and variance; step 5 takes central ones by itself with "
+             "--format rg16f, --mips and --soft"},
     {.name = "depth",
      .kind = OPTION_CHOICE,
      .offset = offsetof(MomentsSettings, depth),

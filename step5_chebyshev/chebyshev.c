@@ -38,7 +38,7 @@ const Option chebyshev_options[] = {
 ChebyshevSettings chebyshev_settings(void)
 {
     return (ChebyshevSettings){.min_variance = OPTION_AUTO,
-                               .bleed_reduction = 0.18,
+                               .bleed_reduction = 0,
                                .reduction = "linear"};
 }
 

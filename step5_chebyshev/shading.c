@@ -52,14 +52,12 @@ const Option shading_options[] = {
 
 ShadingSettings shading_settings(void)
 {
-    ShadingSettings settings = {
+    return (ShadingSettings){
         .moments = moments_settings(),
         .blur = blur_settings(),
         .chebyshev = chebyshev_settings(),
         .sat_width = "fixed",
         .softness = {.light_size = 0.05, .penumbra_scale = 1}};
-    settings.moments.moments = "central";
-    return settings;
 }
 
 static void check_soft(const BlurSettings *blur, const int map_size[2],
@@ -123,6 +121,24 @@ static void check_needs_soft(const char *name, const OptionTable tables[])
     }
 }
 
+// In 16 bits raw moments have no variance left. In a mip-map chain they can
+// lose so much (guard.h) that `auto` lights shadows near their casters. But a
+// table sums raw moments, and the texture unit averages them.
+static void choose_moments(ShadingSettings *settings)
+{
+    const BlurSettings *blur = &settings->blur;
+    bool half = moments_format(&settings->moments) == GL_RG16F;
+    if (blur->sat || blur_uses_hardware(blur)) {
+        settings->why_moments = "only raw ones can be summed or averaged";
+    } else if (half || blur->mips) {
+        settings->moments.moments = "central";
+        settings->why_moments = half ? "--format rg16f: raw ones need 32 bits"
+                                     : "raw ones lose too much in mip-maps";
+    } else {
+        settings->why_moments = "raw ones lose little enough";
+    }
+}
+
 void shading_check(ShadingSettings *settings, BaseSettings *base,
                    const OptionTable tables[])
 {
@@ -143,9 +159,9 @@ void shading_check(ShadingSettings *settings, BaseSettings *base,
     if (settings->hybrid) {
         check_hybrid(settings, tables);
     }
-    bool sums = blur->sat || blur_uses_hardware(blur);
-    if (sums && !options_given(tables, "moments")) {
-        settings->moments.moments = "raw";
+    settings->why_moments = "--moments";
+    if (!options_given(tables, "moments")) {
+        choose_moments(settings);
     }
     blur_check(blur, &settings->moments, base, tables);
     if (options_given(tables, "sat-width") && !blur->sat) {
@@ -284,6 +300,11 @@ void shading_picture(ShadingSettings *settings, Picture *picture, Frame *frame,
     const char *visibility[SHADING_MAX_SHADERS];
     shading_shaders(settings, visibility);
     find_constants(settings, filter);
+    settings->told = (Target){.pass = "central moments",
+                              .why = settings->why_moments,
+                              .kind = TARGET_NOTHING,
+                              .idle = !moments_are_central(&settings->moments)};
+    target_add(&frame->targets, &settings->told);
     picture_create_from(picture, frame, deferred_source(settings->deferred),
                         &filter->result, settings->constants, visibility);
 }

@@ -17,21 +17,22 @@ typedef struct ShadingSettings {
     const char *sat_width; // of a table's box: fixed or adaptive
     bool soft;             // the penumbra is each receiver's own
     SoftSettings softness;
-    bool hybrid; // comparisons in its penumbra, not moments
+    bool hybrid;             // comparisons in its penumbra, not moments
+    const char *why_moments; // are central or raw, for --plan
+    Target told;             // the row of --plan
     char constants[CHEBYSHEV_CONSTANTS_BYTES]; // of shading_constants
 } ShadingSettings;
 
 extern const Option shading_options[];
 
-// The defaults of the stages before, but for central moments: only their
-// rounding is so small that what is added against it leaves a shadow dark.
 ShadingSettings shading_settings(void);
 
 // Chooses what the filter needs. Soft shadows: mip-maps, of moments that are
-// not blurred unless a blur was asked for. A filter that takes sums or means of
-// whatever a texel holds: raw moments, unless --moments was given. Then refuses
-// (status 2) what moments_settings_check (see there) and blur_check
-// do, and what contradicts that filter.
+// not blurred unless a blur was asked for. 16 bits and mip-maps: central
+// moments, unless --moments was given, or a table or the texture unit takes
+// sums or means of whatever a texel holds. Then refuses (status 2) what
+// moments_settings_check (see there) and blur_check do, and what contradicts
+// that filter.
 void shading_check(ShadingSettings *settings, BaseSettings *base,
                    const OptionTable tables[]);
 

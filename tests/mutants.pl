@@ -213,7 +213,7 @@ my %mutants = (
         'single.filter = GL_NEAREST', 'single.filter = GL_LINEAR'
     ],
     'central moments that the texture unit averages' => [
-        'step5', 'step3_moments/moments.c',
+        'central', 'step3_moments/moments.c',
         '(Sampling){GL_NEAREST', '(Sampling){GL_LINEAR'
     ],
     'a copy without shaders takes those of the tree around it' => [
@@ -417,6 +417,14 @@ my %mutants = (
     'ten times what raw moments lose' => [
         'central', 'step5_chebyshev/shaders/guard_raw.glsl',
         'guard_variance.x * M2', '10.0 * guard_variance.x * M2'
+    ],
+    'raw moments in 16 bits' => [
+        'robustness/options_chebyshev', 'step5_chebyshev/shading.c',
+        'if (half || blur->mips)', 'if (blur->mips)'
+    ],
+    'raw moments in mip-maps' => [
+        'robustness/options_chebyshev', 'step5_chebyshev/shading.c',
+        'if (half || blur->mips)', 'if (half)'
     ],
     'a closed form of one axis' => [
         'step5', 'step5_chebyshev/chebyshev.c', '2 * along', 'along'

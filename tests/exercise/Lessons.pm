@@ -426,7 +426,7 @@ our %LESSONS = (
               . 'receiver) are mean and variance; add variance_bias to the '
               . 'variance, which is 1 at most; then chebyshev() at the '
               . 'receiver\'s depth, and reduce_bleeding().',
-            options  => [qw(--variance-bias 1e-4)],
+            options  => [qw(--variance-bias 1e-4 --bleed-reduction 0.18)],
             also     => [ { options => [ @OTHER, qw(--variance-bias 1) ] } ],
             @VISIBILITY,
             mistakes => [
@@ -448,6 +448,13 @@ our %LESSONS = (
                 [
                     'The moments are not guarded. Where all is flat and lit, '
                       . 'the variance is only rounding: see --min-variance.',
+                    'guarded(moments_at(receiver), receiver)' =>
+                      'vec2(moments_at(receiver).x, '
+                      . 'variance_of(moments_at(receiver)))'
+                ],
+                [
+                    'M2 is taken for the variance. It is E[x^2]: guarded() '
+                      . 'makes the variance of it.',
                     'guarded(moments_at(receiver), receiver)' =>
                       'moments_at(receiver)'
                 ],

@@ -1,5 +1,4 @@
-# --moments central, and --min-variance auto for both kinds of moments. (The
-# other tests of step 5 draw with central ones.)
+# --moments central, and --min-variance auto for both kinds of moments.
 use strict;
 use warnings;
 use Test::More;
@@ -11,8 +10,7 @@ my @tiny  = qw(--size 160x90 --map-size 128);
 my @least = qw(--size 96x54 --map-size 96);
 my @bare  = qw(--bleed-reduction 0);
 
-# Every stage from its own input files, where central moments are not the
-# default, and raw ones where they are not.
+# Every stage from its own input files.
 for my $options (
     [ 3, qw(--moments central) ],
     [ 3, qw(--moments central --format rg16f --slope-term) ],
@@ -28,8 +26,10 @@ for my $options (
     [qw(--moments raw)],
     [qw(--moments raw --mips --anisotropy 4 --map-size 512)],
     [qw(--moments raw --format rg16f --downsample 2)],
-    [qw(--format rg16f --mips --anisotropy 4 --map-size 512)],
-    [qw(--msaa 4 --slope-term --blur gaussian)],
+    [qw(--moments central)],
+    [qw(--moments central --format rg16f --mips --anisotropy 4 --map-size 512)],
+    [qw(--moments central --msaa 4 --slope-term --blur gaussian)],
+    [qw(--moments central --downsample 2 --radius 8)],
   )
 {
     my $dump   = dump_run( 5, @small, @bare, @$options );
@@ -51,10 +51,10 @@ for my $scene ( sort keys %scenes ) {
       for qw(raw central);
 }
 for my $options (
-    [qw(--scene avenue --splits 3)],
+    [qw(--scene avenue --splits 3 --moments central)],
     [qw(--scene stage --moments raw --format rg16f)],
-    [qw(--scene stage --format rg16f --depth projected)],
-    [qw(--scene teapot --radius 40)],
+    [qw(--scene stage --moments central --format rg16f --depth projected)],
+    [qw(--scene teapot --radius 40 --moments central)],
   )
 {
     oracle( 'lower', dump_run( 5, @tiny, @bare, @$options ) );
@@ -64,16 +64,18 @@ for my $options (
 # of 1e-4 of the depth range. What is off there are t and the stored depth, by
 # some units of 2^-24 each, and what auto adds. A gap of 1e-5 is 168 units.
 for my $gap (qw(1e-1 1e-2 1e-3 1e-4 1e-5)) {
-    my $dump = dump_run( 5, @small, @bare, '--scene', "edge:gap=$gap" );
+    my $dump = dump_run( 5, @small, @bare, '--moments', 'central', '--scene',
+        "edge:gap=$gap" );
     oracle( 'edge', $dump );
     my ( $error, $bound ) = ask_oracle( 'edge', $dump )->{out} =~
       /is the lit share: .* worst (\S+), widest bound (\S+),/;
     cmp_ok( $error, '<=', $gap == 1e-5 ? $bound : 0.01,
         "gap $gap: p off by $error, bound $bound" );
 }
-oracle( 'stage', dump_run( 5, @small, @bare, qw(--scene edge:gap=1e-4) ) );
+oracle( 'stage',
+    dump_run( 5, @small, @bare, qw(--moments central --scene edge:gap=1e-4) ) );
 for my $stored (
-    [qw(1e-1 --format rg16f)],
+    [qw(1e-1 --moments central --format rg16f)],
     [qw(1e-2 --moments raw)],
     [qw(0.8 --moments raw --format rg16f)]
   )
@@ -115,14 +117,15 @@ sub same_mean {
 }
 
 # What auto leaves of the light in full shadow: at most 1/255 at gaps of 1e-2
-# and more, of what is stored by default. (So near to its caster a shadow shows
-# only a few texels of itself.)
+# and more, of central moments. (So near to its caster a shadow shows only a few
+# texels of itself.)
 for my $options (
     [ @small, qw(--scene edge:gap=1e-1) ],
     [ qw(--scene edge:gap=1e-2 --size 640x360 --map-size 1024 --radius 1) ],
   )
 {
-    my $run = ask_oracle( 'edge', dump_run( 5, @$options, @bare ) );
+    my $run = ask_oracle( 'edge',
+        dump_run( 5, @$options, @bare, qw(--moments central) ) );
     my ( $left, $pixels ) =
       $run->{out} =~ /lit share: .*; (\S+) left in full shadow \((\d+)\)/;
     cmp_ok( $pixels, '>', 100, "in full shadow: $pixels pixels" );

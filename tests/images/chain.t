@@ -7,7 +7,7 @@ use Test::More;
 use VSM;
 
 my @small = qw(--size 320x180 --map-size 256);
-my @bare  = ( @small, qw(--bleed-reduction 0) );
+my @bare  = ( @small, qw(--moments central --bleed-reduction 0) );
 
 sub rows_of {
     my ( $dump, @words ) = @_;
@@ -83,6 +83,7 @@ between(
 my %teapot;
 ( undef, %teapot ) = telescopes( 'teapot', 5, \@vsm, @small );
 between( $teapot{'chain.format'}{max}, 1e-9, 1e-2, 'teapot: fp32: format' );
+telescopes( 'central', 5, \@vsm, @small, qw(--moments central) );
 telescopes( 'stage', 2, \@pcf, '--scene', 'stage', @small );
 telescopes( 'means', 4, [qw(footprint pcf mean format program)], @small );
 
@@ -105,7 +106,7 @@ at_most( $floor{'chain.chebyshev'}{max}, 1e-4, 'v = d^2: chebyshev' );
 
 # A reduction by A takes A from what was A, and less from the rest.
 my %reduced = rows_of(
-    dump_run( 5, '--scene', 'edge', @small, qw(--bleed-reduction 0.3) ) );
+    dump_run( 5, '--scene', 'edge', @bare, qw(--bleed-reduction 0.3) ) );
 between( $reduced{'chain.reduction'}{max}, 0.25, 0.3001, 'A = 0.3' );
 at_most( $reduced{'chain.program'}{max}, 1e-3, 'A = 0.3: program' );
 

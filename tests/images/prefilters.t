@@ -68,21 +68,23 @@ sub differs_by_at_most {
 differs_by_at_most( 4e-6, '--sat is --blur box', 'blurred.0',
     map { dump_run( 4, @small, @$_ ) } ['--sat'], [qw(--blur box)] );
 
-# The levels start from what the blur made.
+# The levels start from what the blur made. (With mip-maps moments are central.)
+my @central = ( @small, qw(--moments central) );
 same_files(
     '--mips keeps level 0',
-    ( map { dump_run( 5, @small, @$_ ) } [], ['--mips'] ),
+    ( map { dump_run( 5, @central, @$_ ) } [], ['--mips'] ),
     qw(moments.0 blurred.0)
 );
 same_files(
     '--mips --radius 0 starts with the moments',
-    ( map { dump_run( 5, @small, '--radius', 0, @$_ ) } [], ['--mips'] ),
+    ( map { dump_run( 5, @central, '--radius', 0, @$_ ) } [], ['--mips'] ),
     qw(moments.0 blurred.0)
 );
 
 # Where a pixel is smaller than a texel, level 0 is all there is. (Against its
 # rounding `auto` adds what the coarsest level can have lost.)
-my @near = qw(--size 320x180 --map-size 32 --radius 1 --min-variance 0);
+my @near = qw(--size 320x180 --map-size 32 --radius 1 --min-variance 0
+  --moments central);
 for my $options ( ['--mips'], [qw(--mips --anisotropy 16)] ) {
     differs_by_at_most(
         1e-6, "@$options where pixels are small",

@@ -10,6 +10,7 @@ use Exporter qw(import);
 our @EXPORT_OK = qw(@SWEEPS @CLAIMS @GROWTHS points);
 
 my @SMALL = qw(--size 320x180);
+my @VSM   = qw(--moments central);
 
 # A sweep: the number, its unit, its values, and the runs. A run: its name, its
 # step, its options at a value, and the passes, each with a line in the table;
@@ -29,14 +30,15 @@ our @SWEEPS = (
             {
                 name    => 'VSM, box',
                 step    => 5,
-                options => sub { ( @SMALL, '--radius', ( $_[0] - 1 ) / 2 ) },
+                options =>
+                  sub { ( @SMALL, @VSM, '--radius', ( $_[0] - 1 ) / 2 ) },
                 passes  => ['blur+shading'],
             },
             {
                 name    => 'VSM, boxes',
                 step    => 5,
                 options => sub {
-                    ( @SMALL, '--blur', 'boxes', '--radius',
+                    ( @SMALL, @VSM, '--blur', 'boxes', '--radius',
                         ( $_[0] - 1 ) / 2 );
                 },
                 passes => ['blur+shading'],
@@ -46,7 +48,7 @@ our @SWEEPS = (
                 step    => 5,
                 options => sub {
                     (
-                        @SMALL, '--blur', 'gaussian', '--radius',
+                        @SMALL, @VSM, '--blur', 'gaussian', '--radius',
                         ( $_[0] - 1 ) / 2
                     );
                 },
@@ -75,7 +77,7 @@ our @SWEEPS = (
             {
                 name    => 'VSM',
                 step    => 5,
-                options => sub { ( @SMALL, '--map-size', $_[0] ) },
+                options => sub { ( @SMALL, @VSM, '--map-size', $_[0] ) },
                 passes  => [qw(map blur shading)],
             },
         ],
@@ -93,9 +95,10 @@ our @SWEEPS = (
                     options => sub {
                         ( @SMALL, '--scene', "crowd:triangles=$_[0]", @more );
                     },
-                    passes => [ @more ? 'shading' : qw(map shading) ],
+                    passes =>
+                      [ "@more" =~ /off/ ? 'shading' : qw(map shading) ],
                 }
-            } ['VSM'],
+            } [ 'VSM', @VSM ],
             [qw(unshadowed --shadows off)]
         ],
     },
@@ -117,7 +120,7 @@ our @SWEEPS = (
                     passes => ['shading'],
                 }
             } [ 'PCF 7', 2 ],
-            [ 'VSM', 5 ],
+            [ 'VSM', 5, @VSM ],
             [qw(unshadowed 5 --shadows off)]
         ],
     },
@@ -130,7 +133,9 @@ our @SWEEPS = (
                 name    => 'VSM',
                 step    => 5,
                 options =>
-                  sub { ( @SMALL, '--scene', 'avenue', '--splits', $_[0] ) },
+                  sub {
+                    ( @SMALL, @VSM, qw(--scene avenue --splits), $_[0] );
+                  },
                 passes => [qw(map blur shading)],
             },
         ],
@@ -147,8 +152,8 @@ our @GROWTHS = (
 );
 
 my @LARGE = qw(--size 160x90 --map-size 1024);
-my @CROWD = qw(--scene crowd:triangles=200000 --size 1920x1080
-  --map-size 1024);
+my @CROWD = ( @VSM, qw(--scene crowd:triangles=200000 --size 1920x1080
+      --map-size 1024) );
 
 # Radius 64 over radius 2.
 sub wide_blur {
@@ -175,8 +180,8 @@ our @CLAIMS = (
                 ),
                 aim => 1.3,
             }
-        } ['box'],
-        [qw(boxes --blur boxes)],
+        } [ 'box', @VSM ],
+        [ 'boxes', @VSM, qw(--blur boxes) ],
         [ 'box of raw moments', qw(--moments raw) ]
     ),
     (
@@ -189,8 +194,8 @@ our @CLAIMS = (
                 ),
                 most => 1.3,
             }
-        } ['box'],
-        [qw(boxes --blur boxes)],
+        } [ 'box', @VSM ],
+        [ 'boxes', @VSM, qw(--blur boxes) ],
     ),
     {
         text => 'table of 1024^2: running sums over recursive doubling',

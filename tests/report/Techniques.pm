@@ -83,7 +83,9 @@ our @SCENES = (
 
 my @ALL    = map { $_->{name} } @SCENES;
 my @WIDTHS = ( 3, 7, 15, 31 );
-my $TEST   = '--bleed-reduction 0';        # the bound itself
+my $BARE   = '--bleed-reduction 0';        # the bound itself
+my $RAW    = "--moments raw $BARE";
+my $TEST   = "--moments central $BARE";
 
 my $FINE = 'a pixel covers few texels of the map there';
 my $SPLIT =
@@ -164,7 +166,7 @@ our @TECHNIQUES = map {
         'VSM reduced',
         'VSM reduced',
         5,
-        '--bleed-reduction 0.18 --radius {r}',
+        '--moments central --bleed-reduction 0.18 --radius {r}',
         \@WIDTHS,
         [qw(teapot bleed thin)],
         'measured at every width on teapot, bleed and thin'
@@ -173,7 +175,8 @@ our @TECHNIQUES = map {
         'VSM reduced smoothly',
         'VSM reduced',
         5,
-        '--bleed-reduction 0.18 --reduction smooth --radius {r}',
+        '--moments central --bleed-reduction 0.18 --reduction smooth '
+          . '--radius {r}',
         [ 7, 31 ],
         [qw(teapot bleed)],
         'it rounds the edges of what is reduced, which shows on those measured'
@@ -221,18 +224,18 @@ our @TECHNIQUES = map {
     ],
     [
         'SAT',         'SAT',
-        5,             "$TEST --sat --radius {r}",
+        5,             "$RAW --sat --radius {r}",
         [ 7, 15, 31 ], [qw(teapot edge thin fence avenue)],
         $MAP_ONLY, { teapot => { 256 => [ 7, 15 ], 1024 => [ 7, 15 ] } }
     ],
     [
         'SAT by fragments',
-        'SAT', 5,          "$TEST --sat --sat-by fragments --radius {r}",
+        'SAT', 5,          "$RAW --sat --sat-by fragments --radius {r}",
         [7],   ['teapot'], $OTHER_WAY
     ],
     [
         'SAT adaptive', 'SAT', 5,
-        "$TEST --sat --sat-width adaptive --radius {r}",
+        "$RAW --sat --sat-width adaptive --radius {r}",
         [ 15, 31 ],
         [qw(teapot fence avenue)], $FINE
     ],
@@ -240,13 +243,13 @@ our @TECHNIQUES = map {
             my ( $name, $options ) = @$_;
             [
                 "VSM $name", 'VSM rounded', 5,
-                "$TEST $options --radius {r}",
+                "$options $BARE --radius {r}",
                 [ 7, 31 ],
                 [qw(teapot edge bleed stage)], $ROUNDING
             ]
         } (
             [ 'raw',      '--moments raw' ],
-            [ 'fp16',     '--format rg16f' ],
+            [ 'fp16',     '--moments central --format rg16f' ],
             [ 'raw fp16', '--moments raw --format rg16f' ],
         ) ),
     map( { [
@@ -258,7 +261,10 @@ our @TECHNIQUES = map {
                 [qw(teapot edge thin stage)],
                 'the width of a penumbra shows on the scenes measured'
         ] }
-        ( [ 'soft', "$TEST --soft" ], [ 'soft hybrid', '--soft --hybrid' ], ) ),
+        (
+            [ 'soft',        "$TEST --soft" ],
+            [ 'soft hybrid', '--moments central --soft --hybrid' ],
+        ) ),
     [
         'VSM multisampled',
         'VSM',
@@ -281,10 +287,10 @@ our @TECHNIQUES = map {
             my ( $name, $options, @widths ) = @$_;
             [
                 "$name split in 4",
-                $name,    5,          "$TEST --splits 4 $options --radius {r}",
+                $name,    5,          "$options --splits 4 --radius {r}",
                 \@widths, ['avenue'], $SPLIT
             ]
-    } ( [ 'VSM', '--blur box', 3, 7, 15 ], [ 'SAT', '--sat', 7, 15 ] ) ),
+    } ( [ 'VSM', $TEST, 3, 7, 15 ], [ 'SAT', "$RAW --sat", 7, 15 ] ) ),
 );
 
 # What makes no sense although each side exists: a reason, and for which.
@@ -312,7 +318,7 @@ our $NOT_MEASURED = [
     ],
     [
         '--moments central, --format rg32f',
-        'they are what step 5 does by itself: the points without raw or fp16'
+        'every point of step 5 but SAT has them if it is not named raw or fp16'
     ],
     [ '--show',  'it shows a map or a plan, and is no technique' ],
     [ '--light', 'stage has a spot light and room a point light of their own' ],

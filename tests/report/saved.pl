@@ -57,7 +57,10 @@ sub measure {
             my ( $name, @options ) = @$run;
             my $point = $points{$name} //= {
                 step    => $step,
-                options => [ '--scene', $scene, @size, @options ]
+                options => [
+                    '--scene', $scene, @size, @options,
+                    $step == 5 ? qw(--moments central) : ()
+                ]
             };
             push @{ $timed{$name} }, times_of( $point, FRAMES );
         }

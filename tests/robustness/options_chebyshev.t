@@ -55,7 +55,8 @@ my %OPTIONS = (
     },
     'bleed-reduction' => {
         steps   => [5],
-        differ  => [ '0.6', 0 ],
+        differ  => [ '0.6', '0.18' ],
+        same    => [0],
         bad     => [ 1,     '-0.1', '' ],
         allowed => qr/numbers from 0 to 0\.9999/,
     },
@@ -161,6 +162,32 @@ sub check_hybrid {
         );
     }
     return;
+}
+
+# Which moments there are where none were asked for. --plan names them, and why.
+for (
+    [ raw     => 'lose little enough' ],
+    [ raw     => 'can be summed or averaged', '--sat' ],
+    [ raw     => 'can be summed or averaged', qw(--mips --sampler hardware) ],
+    [ raw     => 'can be summed or averaged', qw(--sat --format rg16f) ],
+    [ central => 'need 32 bits',              qw(--format rg16f) ],
+    [ central => 'lose too much in mip-maps', '--mips' ],
+    [ central => 'lose too much in mip-maps', '--soft' ],
+    [ central => '--moments',                 qw(--moments central) ],
+  )
+{
+    my ( $moments, $why, @options ) = @$_;
+    is(
+        draw( 5, @options ) // '',
+        draw( 5, @options, '--moments', $moments ),
+        "step 5 @options: $moments moments by itself"
+    );
+    my $decision = $moments eq 'raw' ? 'left out' : 'kept';
+    like(
+        run( 5, '--plan', @options )->{out},
+        qr/^central moments +$decision .*$why$/m,
+        "step 5 @options: --plan says so"
+    );
 }
 
 test_options( \%OPTIONS, 5 );
