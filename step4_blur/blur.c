@@ -171,6 +171,13 @@ static Target *create_small(Blur *blur, Frame *frame, const Moments *moments)
     return &blur->small;
 }
 
+static const char *blur_shader(const MomentsSettings *settings)
+{
+    return moments_are_central(settings)
+               ? "step4_blur/shaders/blur_central.frag"
+               : "step4_blur/shaders/blur.frag";
+}
+
 static void create_program(Blur *blur, Frame *frame, const Moments *moments,
                            int filter)
 {
@@ -180,7 +187,7 @@ static void create_program(Blur *blur, Frame *frame, const Moments *moments,
         blur->running
             ? running_box_program(&frame->shaders, constants, moments->settings)
             : merge_program(frame, moments->settings, constants,
-                            "step4_blur/shaders/blur.frag");
+                            blur_shader(moments->settings));
     free(constants);
 }
 

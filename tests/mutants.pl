@@ -112,7 +112,7 @@ my %mutants = (
     ],
     'a kernel that is not normalised' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        'weight, map_texel', '1.01 * weight, map_texel'
+        'weights[i + sides.x]', '1.01 * weights[i + sides.x]'
     ],
     'one texel for a group' => [
         'step4', 'step4_blur/shaders/downsample.frag',
@@ -124,13 +124,12 @@ my %mutants = (
     ],
     'M2 from the blurred mean' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        'moments = stored(merge_end(merge, 1.0));',
-        "moments = stored(merge_end(merge, 1.0));\n"
-          . '    moments.y = moments.x * moments.x;'
+        "i * axis);\n    }",
+        "i * axis);\n    }\n    moments.y = moments.x * moments.x;"
     ],
     'the blur returns its input' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        'stored(merge_end(merge, 1.0))', 'map_texel(middle)'
+        'map_texel(middle + i * axis)', 'map_texel(middle)'
     ],
     'one texel out of range' => [
         'step3',
@@ -351,7 +350,7 @@ my %mutants = (
         'Merge(heaviest.x, 0.0, 0.0)', 'Merge(0.0, 0.0, 0.0)'
     ],
     'merged about a tap at the rim' => [
-        'central', 'step4_blur/shaders/blur.frag',
+        'central', 'step4_blur/shaders/blur_central.frag',
         'map_texel(middle))', 'map_texel(middle - sides.x * axis))'
     ],
     'a mean that is not moved back' => [

@@ -1,5 +1,6 @@
 // Half of a separable blur: along one axis, then along the other, costs
-// 2 n texels where the square of n x n texels costs n^2.
+// 2 n texels where the square of n x n texels costs n^2. Moments are means, so
+// their weighted mean is the moment of all these texels.
 //
 // blur.c puts two constants in front, for this filter alone:
 //     const ivec2 sides;      texels before and after the one in the middle
@@ -12,10 +13,8 @@ layout(location = 0) out vec2 moments;
 void main()
 {
     ivec2 middle = ivec2(gl_FragCoord.xy);
-    Merge merge = merge_about(map_texel(middle));
+    moments = vec2(0.0);
     for (int i = -sides.x; i <= sides.y; i++) {
-        float weight = weights[i + sides.x];
-        merge_add(merge, weight, map_texel(middle + i * axis));
+        moments += weights[i + sides.x] * map_texel(middle + i * axis);
     }
-    moments = stored(merge_end(merge, 1.0));
 }

@@ -251,9 +251,7 @@ our %LESSONS = (
             empty    => 'moments = vec2(1.0);',
             words    => 'One pass of a separable blur: the weighted mean of '
               . 'the texels from -sides.x to sides.y along axis, whose '
-              . 'weights add up to 1. merge_about(), merge_add() and '
-              . 'merge_end() add up moments of either kind; stored() keeps '
-              . 'what the format can hold.',
+              . 'weights add up to 1.',
             options  => [qw(--blur gaussian --radius 4 --blur-by fragments)],
             also     => [
                 {
@@ -298,8 +296,9 @@ our %LESSONS = (
             file     => 'downsample.frag',
             empty    => 'moments = vec2(1.0);',
             words    => 'A smaller map: the mean of the factor x factor '
-              . 'texels that this one covers, with merge_about(), '
-              . 'merge_add(), merge_end(), and stored() as in blur.frag.',
+              . 'texels that this one covers. merge_about(), merge_add() and '
+              . 'merge_end() add up moments of either kind; stored() keeps '
+              . 'what the format can hold.',
             options  => [qw(--downsample 2)],
             also     => [ { options => [ @ROOM, @HALF, qw(--downsample 4) ] } ],
             @BLUR,

@@ -27,9 +27,13 @@ for my $options (
     [qw(--moments raw --mips --anisotropy 4 --map-size 512)],
     [qw(--moments raw --format rg16f --downsample 2)],
     [qw(--moments central)],
-    [qw(--moments central --format rg16f --mips --anisotropy 4 --map-size 512)],
+    [
+        qw(--moments central --format rg16f --mips --anisotropy 4),
+        qw(--map-size 512)
+    ],
     [qw(--moments central --msaa 4 --slope-term --blur gaussian)],
     [qw(--moments central --downsample 2 --radius 8)],
+    [qw(--moments central --map-size 300x180)],
   )
 {
     my $dump   = dump_run( 5, @small, @bare, @$options );
