@@ -48,9 +48,8 @@ static const Sampling depths = {GL_NEAREST, {1, 1, 1, 1}};
 
 void shadow_map_create(ShadowMap *map, Frame *frame, int reach)
 {
-    static const char *const vertex[] = {
-        "step1_shadowmap/shaders/centre_out.glsl",
-        "step1_shadowmap/shaders/map.vert", NULL};
+    static const char *const vertex[] = {"step1_shadowmap/shaders/map.vert",
+                                         NULL};
     const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
                                     frame->settings.depth_shader,
                                     "step1_shadowmap/shaders/depth.frag", NULL};

@@ -130,7 +130,7 @@ const char *moments_between_shader(const MomentsSettings *settings)
 static const char *place_out(const MomentsSettings *settings)
 {
     return settings->msaa > 1 ? "step3_moments/shaders/centroid_out.glsl"
-                              : "step1_shadowmap/shaders/centre_out.glsl";
+                              : "step3_moments/shaders/centre_out.glsl";
 }
 
 static const char *place_in(const MomentsSettings *settings)
@@ -142,9 +142,13 @@ static const char *place_in(const MomentsSettings *settings)
 static Program *map_program(Shaders *shaders, const MomentsSettings *settings,
                             const char *const fragment[])
 {
-    const char *const vertex[] = {place_out(settings),
-                                  "step1_shadowmap/shaders/map.vert", NULL};
-    return gl_program(shaders, NULL, vertex, fragment);
+    static const char *const centre[] = {"step1_shadowmap/shaders/map.vert",
+                                         NULL};
+    static const char *const centroid[] = {
+        "step3_moments/shaders/centroid_out.glsl",
+        "step3_moments/shaders/map_handing.vert", NULL};
+    return gl_program(shaders, NULL, settings->msaa > 1 ? centroid : centre,
+                      fragment);
 }
 
 static Program *raw_program(Shaders *shaders, const MomentsSettings *settings)
@@ -189,7 +193,8 @@ static Program *derivatives_program(Shaders *shaders,
 static Program *plane_program(Shaders *shaders, const MomentsSettings *settings)
 {
     const char *const vertex[] = {"step3_moments/shaders/corner_out.glsl",
-                                  "step1_shadowmap/shaders/map.vert", NULL};
+                                  "step3_moments/shaders/map_handing.vert",
+                                  NULL};
     const char *const geometry[] = {
         place_out(settings), "step3_moments/shaders/triangle_plane.geom", NULL};
     const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
