@@ -894,6 +894,14 @@ my %mutants = (
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '/^FAIL (.*)/ ? $1', '/^FAIL (.*)/ ? ()'
     ],
+    'marks for what suits the first run only' => [
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        'mark_run( $step, \%run, $text, $keep ) or', '() or'
+    ],
+    'a whole program that suits the first run only' => [
+        'robustness/exercise', 'tests/exercise/Marks.pm',
+        '( [], map', '( [], grep { 0 } map'
+    ],
     'what does not end is right' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         'my $signal = $run->{signal};', 'my $signal = 0;'

@@ -36,21 +36,18 @@ my @BLUR = (
     same   => qr/^(?:moments|blurred|position|normal)\b.*exr$/
 );
 
-# Maps that are not square and have several layers: a point light's six, and
-# those of a view in parts, after the last of which there is only light, as there
-# is where a light's view ends.
-my @ROOM   = qw(--scene room --map-size 96x160);
-my @SPLITS = qw(--scene cut --splits 2 --map-size 96x160);
-
-# Something casts from before the near plane of each.
-my @BEFORE = qw(--scene avenue --splits 2 --map-size 96x160);
+# Maps that are not square and have several layers: a point light's six; and two
+# of a view in parts, after the last of which there is only light, and from
+# before whose near planes something casts.
+my @ROOM   = qw(--scene room --map-size 48x80);
+my @SPLITS = qw(--scene fence --splits 2 --map-size 48x80);
 
 # Where moments are merged in another way, and rounded when they are stored.
 my @HALF = qw(--moments central --format rg16f);
 
 # With other constants than step 5 has.
 my @OTHER =
-  ( @ROOM, qw(--moments raw --bleed-reduction 0.5 --variance-bias 1e-3) );
+  ( @ROOM, qw(--moments central --bleed-reduction 0.5 --variance-bias 1e-3) );
 our %LESSONS = (
     1 => [
         {
@@ -64,7 +61,10 @@ our %LESSONS = (
               . 'most layers - 1), make the perspective, and let '
               . 'light_depth() say how deep it is.',
             options  => [qw(--scene stage)],
-            also     => [ { options => [@SPLITS], @VISIBILITY } ],
+            also     => [
+                { options => [@ROOM] },
+                { options => [@SPLITS], @VISIBILITY },
+            ],
             checks   => [ [ 'matrix', qr/receiver/ ] ],
             shows    => [ 'receiver', 0 ],
             same     => qr/^(?:depth|position|normal)\b.*exr$/,
@@ -194,7 +194,7 @@ our %LESSONS = (
               . 'texel, E[x] and E[x^2]. It holds one depth x, that of '
               . 'map_depth(relative_position, layer).',
             options  => [],
-            also     => [ { options => [@BEFORE] } ],
+            also     => [ { options => [@SPLITS] } ],
             checks   => [ [ 'stage', qr/stage moments/ ], [ 'rays', qr/map depths/ ] ],
             shows    => [ 'moments', 1 ],
             same     => qr/^(?:moments|position|normal)\b.*exr$/,
@@ -256,8 +256,7 @@ our %LESSONS = (
             also     => [
                 {
                     options => [
-                        @ROOM, @HALF,
-                        qw(--blur boxes --radius 4 --blur-by fragments)
+                        @ROOM, qw(--blur boxes --radius 4 --blur-by fragments)
                     ]
                 }
             ],

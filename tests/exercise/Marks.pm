@@ -138,7 +138,7 @@ sub moved {
 
 # What somebody was thinking who gets this: of the known mistakes, and of
 # nothing having been written, the one that gives nearly the same. The RMSE from
-# what is right is `wrong`.
+# what is right is `wrong`. Nothing where no mistakes are known.
 sub reason {
     my ( $step, $task, $dump, $wrong ) = @_;
     return 'There are values that are no numbers.' if !defined $wrong;
@@ -163,8 +163,8 @@ sub reason {
 }
 
 # Yours, the right one, and the difference of a file, which is `largest`
-# somewhere, as the bytes of a PNG, and a line that says so; nothing if it cannot
-# be made.
+# somewhere, as the bytes of a PNG, and a line that says so; nothing if it
+# cannot be made.
 sub shown {
     my ( $task, $largest, $file, @dumps ) = @_;
     my $channel = $task->{shows}[1];
@@ -202,13 +202,15 @@ sub mark {
     return;
 }
 
+# In words: what is right with these options and wrong with those.
 sub fixed {
     my @options = map { @$_ ? "@$_" : 'the default options' } @_;
     return "It is right with $options[0], and wrong with $options[1]: "
-      . 'what is fixed in it that is another there, a size, a layer, a constant?';
+      . 'what is fixed in it that is another there, a size, a layer, '
+      . 'a constant?';
 }
 
-# The same of one run. Where no mistakes are known no reason is looked for.
+# The same of the one run with the task's options.
 sub mark_run {
     my ( $step, $task, $text, $keep ) = @_;
     my $right = right_dump( $step, $task->{options} );
