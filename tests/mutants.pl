@@ -902,6 +902,14 @@ my %mutants = (
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '( [], map', '( [], grep { 0 } map'
     ],
+    'a picture that is there already' => [
+        'robustness/grade', 'tests/exercise/Submission.pm',
+        '".$name.$$"', '$name'
+    ],
+    'marks that leave their temporary files' => [
+        'robustness/grade', 'tests/exercise/grade.pl',
+        'INT PIPE TERM USR1', 'INT TERM'
+    ],
     'what does not end is right' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         'my $signal = $run->{signal};', 'my $signal = 0;'

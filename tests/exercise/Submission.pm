@@ -69,17 +69,19 @@ sub forget_picture {
 }
 
 # Makes grade/NAME of these bytes: always a new file, so that nothing is written
-# through a link of that name.
+# through a link of that name. Another marking may do the same: the last one's
+# stays.
 sub keep_picture {
     my ( $top, $name, $bytes ) = @_;
     inside( $top, '.', sub { mkdir 'grade' } );
     return inside(
         $top, 'grade',
         sub {
-            my $file;
-            sysopen( $file, $name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW )
+            my ( $file, $new ) = ( undef, ".$name.$$" );
+            sysopen( $file, $new, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW )
               && print( {$file} $bytes )
-              && close $file
+              && close($file)
+              && rename( $new, $name )
               or die "cannot write grade/$name: $!\n";
         }
     );

@@ -21,7 +21,7 @@ my $LONGEST_SHADER = ( 1 << 14 ) - 1;    # as in base/gl_program.c
 my ( $step, $folder ) = @ARGV;
 
 # What is told to stop takes along what it runs, and its temporary files.
-for my $signal (qw(HUP INT TERM)) {
+for my $signal (qw(HUP INT PIPE TERM USR1 USR2 QUIT)) {
     $SIG{$signal} = sub {
         kill 'KILL', $VSM::running if $VSM::running;
         exit 1;

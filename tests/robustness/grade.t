@@ -13,6 +13,7 @@ use lib "$FindBin::Bin/../exercise";
 use POSIX qw(WNOHANG mkfifo);
 use Test::More;
 use Time::HiRes qw(sleep time);
+use Submission;
 use Tasks;
 use VSM;
 
@@ -190,6 +191,11 @@ symlink "$precious/chebyshev.png", $picture;
 $said = graded( 'picture', $PATIENCE );
 ok( !-l $picture && png_size( slurp($picture) ) eq '488x90',
     'a picture is never written through a link' );
+ok( eval { keep_picture( "$work/class/picture", 'chebyshev.png', 'later' ); 1 },
+    'a picture can be kept twice' );
+is( slurp($picture), 'later', 'nor lost where another marking made one' );
+is( join( ' ', everything_below("$work/class/picture/grade") ),
+    'chebyshev.png', 'and nothing else is left there' );
 like( $said, qr/$REDUCTION\n +missing: make exercise .* makes it again$/m,
     'a file is missing' );
 
@@ -282,13 +288,13 @@ sub comes_true {
     }
     return 1;
 }
-for my $signal (qw(TERM KILL)) {
+for my $signal (qw(TERM PIPE USR1 KILL)) {
     my $child = start( 'endless', $PATIENCE );
     comes_true( 60, \&shader_runs );
     kill $signal, $child;
     waitpid $child, 0;
     is( join( ' ', everything_below("$work/tmp") ), '', 'no temporary file' )
-      if $signal eq 'TERM';
+      if $signal ne 'KILL';
     ok( comes_true( 3, sub { !alive() } ),
         "no process is left by SIG$signal" );
 }
