@@ -875,7 +875,9 @@ my %mutants = (
     ],
     'a copy that does not look for packages' => [
         'robustness/set_up', 'step1_shadowmap/base/base.mk',
-        'glad/gl.h: | set-up', 'glad/gl.h:'
+        'glad/gl.h: | set-up', 'glad/gl.h:',
+        'step1_shadowmap/base/base.mk', '$(ROOT)/%.cpp | set-up',
+        '$(ROOT)/%.cpp'
     ],
     'what somebody drew by hand stays' => [
         'robustness/pictures', 'Makefile',
@@ -1099,6 +1101,7 @@ sub first_failure {
     my ( $test, $folder, %where ) = @_;
     my $own = File::Temp->newdir;    # what a test leaves that is stopped
     local @ENV{ 'TMPDIR', keys %where } = ( "$own", values %where );
+    local $ENV{VSM_PATIENCE} = 20;    # seconds for a window that does not react
     my $file = 'tests/' . ( $test =~ m{/} ? '' : 'images/' ) . "$test.t";
     my $child = open my $tap, '-|', 'sh', '-c',
       'cd "$0" && exec perl -Itests/lib "$1" 2>/dev/null', $folder, $file

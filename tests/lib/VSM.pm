@@ -4,6 +4,7 @@
 # VSM_SHADERS=DIR  every program looks for its shaders there first; how
 #                  `make mutants` plants its mistakes
 # VSM_BUILD=DIR    where the programs are, if not in build/
+# VSM_PATIENCE=N   seconds that a window may take to react, in place of 300
 # VSM_SLOW=1       ten times the time limit, for builds with a sanitizer
 package VSM;
 

@@ -16,7 +16,7 @@ chdir tempdir( CLEANUP => 1 ) or die "cannot work in a temporary folder\n";
 # for leaks there.
 $ENV{ASAN_OPTIONS} //= 'detect_leaks=0' if $ENV{VSM_SLOW};
 
-my $SECONDS = 300;                       # to wait for anything
+my $SECONDS = $ENV{VSM_PATIENCE} // 300;    # to wait for anything
 my @CLOSE   = qw(max=0.004 share=0.001);    # rounding to 8 bits may differ
 
 # What the title says of each step's main parameter, and a shader of the step
