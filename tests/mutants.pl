@@ -1087,7 +1087,8 @@ sub plant {
 
 sub plant_one {
     my ( $folder, $path, $from, $to ) = @_;
-    my $text = planted( $path, read_file($path), $from, $to );
+    my $source = -e "$folder/$path" ? "$folder/$path" : $path;
+    my $text   = planted( $path, read_file($source), $from, $to );
     make_path( dirname("$folder/$path") );
     open my $file, '>', "$folder/$path" or die "cannot write: $!\n";
     print {$file} $text;
