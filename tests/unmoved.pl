@@ -55,13 +55,16 @@ sub next_set {
     return ( $step, @words );
 }
 
-# Of run.json, times and memory are no part.
+# Of run.json, times and memory are no part, nor the order of the options.
 sub hash_of {
     my ( $run, $folder ) = @_;
     my $all = "status $run->{status} signal $run->{signal}\n";
     for my $file ( everything_below($folder) ) {
         my $bytes = slurp("$folder/$file");
-        $bytes =~ s/"map_bytes": \d+|"passes": .*//sg if $file eq 'run.json';
+        if ( $file eq 'run.json' ) {
+            $bytes =~ s/"map_bytes": \d+|"passes": .*//sg;
+            $bytes = join "\n", sort map { s/,$//r } split /\n/, $bytes;
+        }
         $all .= "$file " . sha1_hex($bytes) . "\n";
     }
     return sha1_hex($all);
