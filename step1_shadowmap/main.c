@@ -29,7 +29,7 @@ static void create(Frame *frame)
         "step1_shadowmap/shaders/bias.glsl",
         "step1_shadowmap/shaders/hard.glsl", NULL};
     run_begin(&state.run);
-    frame->lookups = bias_lookups(&state.bias, REACH, 1, GL_R32F);
+    frame->lookups = bias_lookups(&state.bias, REACH, 1);
     frame->lookups.compares = true;
     run_look(&state.run);
     shadow_map_create(&state.map, frame, REACH);

@@ -33,14 +33,13 @@ void bias_apply(const BiasSettings *settings, GLuint program)
                 (float)settings->slope);
 }
 
-Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel,
-                     GLenum format)
+Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel)
 {
     return (Lookups){.reach = reach,
                      .bias = settings->constant,
                      .slope_bias = settings->slope,
                      .kernel = kernel,
-                     .rounding = format == GL_RG16F ? 0x1p-9 : 0x1p-12};
+                     .rounding = 0x1p-12};
 }
 
 // Single texels; outside is far depth, 1.
@@ -48,12 +47,12 @@ static const Sampling depths = {GL_NEAREST, {1, 1, 1, 1}};
 
 void shadow_map_create(ShadowMap *map, Frame *frame, int reach)
 {
-    static const char *const vertex[] = {"step1_shadowmap/shaders/map.vert",
-                                         NULL};
-    const char *const fragment[] = {"step1_shadowmap/shaders/light_depth.glsl",
-                                    frame->settings.depth_shader,
-                                    "step1_shadowmap/shaders/depth.frag", NULL};
-    map->program = gl_program(&frame->shaders, NULL, vertex, fragment);
+    static const char *const files[] = {
+        "step1_shadowmap/shaders/map.vert",
+        "step1_shadowmap/shaders/light_depth.glsl",
+        "step1_shadowmap/shaders/linear_depth.glsl",
+        "step1_shadowmap/shaders/depth.frag", NULL};
+    map->program = gl_program(&frame->shaders, NULL, files);
     map->target = frame_map(frame, "depth", GL_R32F, depths);
     map->target.file = "depth";
     map->target.depth = true;
@@ -74,8 +73,6 @@ bool shadow_map_draw_layer(Target *target, Program *map_program,
     // What is before the near plane of a split still casts into it.
     glEnable(GL_DEPTH_CLAMP);
     view_set_light(program, views);
-    glUniform2f(glGetUniformLocation(program, "map_size"), (float)target->width,
-                (float)target->height); // if it is used
     glUniform1i(glGetUniformLocation(program, "layer"), layer);
     glClearBufferfv(GL_COLOR, 0, target->sampling.far);
     glClearBufferfv(GL_DEPTH, 0, &far_depth);

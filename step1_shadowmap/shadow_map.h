@@ -19,10 +19,8 @@ BiasSettings bias_settings(void);
 void bias_apply(const BiasSettings *settings, GLuint program);
 
 // The lookups of a picture that compares with biased depths, see there: each
-// reads so many texels to each side, in a square of kernel x kernel, of this
-// format.
-Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel,
-                     GLenum format);
+// reads so many texels to each side, in a square of kernel x kernel.
+Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel);
 
 typedef struct ShadowMap {
     Target target; // depths t in [0, 1], a layer for each view of the light

@@ -21,7 +21,7 @@ PcfSettings pcf_settings(void)
 Lookups pcf_lookups(const PcfSettings *settings, const BiasSettings *bias)
 {
     Lookups lookups =
-        bias_lookups(bias, settings->kernel / 2 + 1, settings->kernel, GL_R32F);
+        bias_lookups(bias, settings->kernel / 2 + 1, settings->kernel);
     lookups.compares = true;
     return lookups;
 }

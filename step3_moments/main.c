@@ -9,40 +9,30 @@ enum { REACH = 1 }; // texels that a bilinear lookup reads to each side
 static struct {
     Run run;
     BiasSettings bias;
-    MomentsSettings settings;
     Moments moments;
     Picture picture;
 } state;
 
 static void read_options(int argc, char **argv)
 {
-    Frame *frame = &state.run.frame;
     state.bias = bias_settings();
-    state.settings = moments_settings();
-    const OptionTable tables[] = {
-        options_table(bias_options, &state.bias),
-        options_table(moments_options, &state.settings),
-        {0}};
+    const OptionTable tables[] = {options_table(bias_options, &state.bias),
+                                  {0}};
     run_options(&state.run, argc, argv, 3, "step3_moments", moments_shows,
                 tables);
-    moments_settings_check(&state.settings, &frame->settings, frame->options);
 }
 
 static void create(Frame *frame)
 {
-    const char *const visibility[] = {
+    static const char *const visibility[] = {
         "step1_shadowmap/shaders/depth_slope.glsl",
         "step1_shadowmap/shaders/bias.glsl",
-        moments_merge_shader(&state.settings),
-        moments_between_shader(&state.settings),
         "step3_moments/shaders/lookup_bilinear.glsl",
-        "step3_moments/shaders/mean.glsl",
-        NULL};
+        "step3_moments/shaders/mean.glsl", NULL};
     run_begin(&state.run);
-    frame->lookups =
-        bias_lookups(&state.bias, REACH, 1, moments_format(&state.settings));
+    frame->lookups = bias_lookups(&state.bias, REACH, 1);
     run_look(&state.run);
-    moments_create(&state.moments, frame, &state.settings, REACH);
+    moments_create(&state.moments, frame, REACH);
     picture_create(&state.picture, frame, &state.moments.target, NULL,
                    visibility);
 }
@@ -61,8 +51,8 @@ int main(int argc, char **argv)
     Frame *frame = &state.run.frame;
     read_options(argc, argv);
     create(frame);
-    while (run_next(&state.run, &state.picture, "step 3, format %s",
-                    state.settings.format)) {
+    while (run_next(&state.run, &state.picture, "step 3, map %dx%d",
+                    frame->views.width, frame->views.height)) {
         draw(frame);
     }
     run_end(&state.run);

@@ -7,8 +7,7 @@
 static struct {
     Run run;
     BiasSettings bias;
-    MomentsSettings moments_settings;
-    BlurSettings blur_settings;
+    BlurSettings settings;
     Moments moments;
     Blur blur;
     Picture picture;
@@ -16,35 +15,28 @@ static struct {
 
 static void read_options(int argc, char **argv)
 {
-    Frame *frame = &state.run.frame;
     state.bias = bias_settings();
-    state.moments_settings = moments_settings();
-    state.blur_settings = blur_settings();
-    const OptionTable tables[] = {
-        options_table(bias_options, &state.bias),
-        options_table(moments_options, &state.moments_settings),
-        options_table(blur_options, &state.blur_settings),
-        {0}};
+    state.settings = blur_settings();
+    const OptionTable tables[] = {options_table(bias_options, &state.bias),
+                                  options_table(blur_options, &state.settings),
+                                  {0}};
     run_options(&state.run, argc, argv, 4, "step4_blur", moments_shows, tables);
-    moments_settings_check(&state.moments_settings, &frame->settings,
-                           frame->options);
-    blur_check(&state.blur_settings, &state.moments_settings, &frame->settings,
-               frame->options);
+    blur_check(&state.settings, &state.run.frame.settings);
 }
 
 static void create(Frame *frame)
 {
-    const char *visibility[BLUR_MAX_SHADERS + 2] = {
+    static const char *const visibility[] = {
         "step1_shadowmap/shaders/depth_slope.glsl",
-        "step1_shadowmap/shaders/bias.glsl"};
-    blur_picture_shaders(&state.blur_settings, &state.moments_settings,
-                         "step3_moments/shaders/mean.glsl", &visibility[2]);
+        "step1_shadowmap/shaders/bias.glsl",
+        "step3_moments/shaders/lookup_bilinear.glsl",
+        "step3_moments/shaders/mean.glsl", NULL};
+    int reach = blur_reach(&state.settings);
     run_begin(&state.run);
-    frame->lookups = blur_lookups(&state.blur_settings, &state.moments_settings,
-                                  &state.bias);
+    frame->lookups = bias_lookups(&state.bias, reach, 2 * reach + 1);
     run_look(&state.run);
-    moments_create(&state.moments, frame, &state.moments_settings, 0);
-    blur_create(&state.blur, frame, &state.blur_settings, &state.moments);
+    moments_create(&state.moments, frame, 0);
+    blur_create(&state.blur, frame, &state.settings, &state.moments.target);
     picture_create(&state.picture, frame, &state.blur.result, NULL, visibility);
 }
 
@@ -54,9 +46,7 @@ static void draw(Frame *frame)
     frame_lap(frame, "moments");
     blur_apply(&state.blur, frame);
     frame_lap(frame, "blur");
-    GLuint program = picture_begin(&state.picture, frame);
-    bias_apply(&state.bias, program);
-    blur_set_lookup(&state.blur, frame, program);
+    bias_apply(&state.bias, picture_begin(&state.picture, frame));
     picture_draw(&state.picture, frame);
     frame_lap(frame, "shading");
 }
@@ -67,7 +57,7 @@ int main(int argc, char **argv)
     read_options(argc, argv);
     create(frame);
     while (run_next(&state.run, &state.picture, "step 4, radius %d",
-                    state.blur_settings.radius)) {
+                    state.settings.radius)) {
         draw(frame);
     }
     run_end(&state.run);

@@ -1,7 +1,6 @@
 #include "step5_chebyshev/chebyshev.h"
 
-#include <stdio.h>  // snprintf
-#include <string.h> // strcmp
+#include <stdio.h> // snprintf
 
 const Option chebyshev_options[] = {
     {.name = "min-variance",
@@ -13,13 +12,6 @@ const Option chebyshev_options[] = {
      .argument = "X",
      .help = "least variance, in units of the squared depth range; auto: "
              "add what rounding can hide of it, from format and filter"},
-    {.name = "variance-bias",
-     .kind = OPTION_NUMBER,
-     .offset = offsetof(ChebyshevSettings, variance_bias),
-     .minimum = 0,
-     .maximum = 1,
-     .argument = "X",
-     .help = "added to every variance, which is then at most 1"},
     {.name = "bleed-reduction",
      .kind = OPTION_NUMBER,
      .offset = offsetof(ChebyshevSettings, bleed_reduction),
@@ -27,26 +19,12 @@ const Option chebyshev_options[] = {
      .maximum = 0.9999,
      .argument = "X",
      .help = "visibility up to X becomes 0, the rest is stretched"},
-    {.name = "reduction",
-     .kind = OPTION_CHOICE,
-     .offset = offsetof(ChebyshevSettings, reduction),
-     .choices = "linear,smooth",
-     .help = "how what is above the bleed reduction is stretched"},
     {0},
 };
 
 ChebyshevSettings chebyshev_settings(void)
 {
-    return (ChebyshevSettings){.min_variance = OPTION_AUTO,
-                               .bleed_reduction = 0,
-                               .reduction = "linear"};
-}
-
-const char *chebyshev_reduction_shader(const ChebyshevSettings *settings)
-{
-    return strcmp(settings->reduction, "smooth") == 0
-               ? "step5_chebyshev/shaders/reduction_smooth.glsl"
-               : "step5_chebyshev/shaders/reduction_linear.glsl";
+    return (ChebyshevSettings){.min_variance = OPTION_AUTO};
 }
 
 // One rounding changes a number by at most u = 2^-24 of itself. A mean of n
@@ -64,18 +42,26 @@ GuardNumbers chebyshev_guard(int radius, int factor)
                           .variance = {3 * part, 3 * rest}};
 }
 
-void chebyshev_constants(const ChebyshevSettings *settings,
-                         const GuardNumbers *guard,
-                         char text[CHEBYSHEV_CONSTANTS_BYTES])
+double chebyshev_spread(const ChebyshevSettings *settings, int radius,
+                        int factor)
 {
-    // No file uses all of them.
+    double texels = radius * (radius + 1.0) / 3; // of 2 radius + 1 equal weights
+    return settings->min_variance == OPTION_AUTO ? texels * factor * factor : 0;
+}
+
+void chebyshev_constants(const ChebyshevSettings *settings, int radius,
+                         int factor, char text[CHEBYSHEV_CONSTANTS_BYTES])
+{
+    bool automatic = settings->min_variance == OPTION_AUTO;
+    GuardNumbers guard = {{0, 0}, {0, 0}};
+    if (automatic) {
+        guard = chebyshev_guard(radius, factor);
+    }
     snprintf(text, CHEBYSHEV_CONSTANTS_BYTES,
-             "const float min_variance = %.9g, variance_bias = %.9g, "
-             "bleed_reduction = %.9g, guard_spread = %.9g;"
+             "const float min_variance = %.9g, bleed_reduction = %.9g;"
              "const vec2 guard_variance = vec2(%.9g, %.9g), "
              "guard_mean = vec2(%.9g, %.9g);",
-             settings->min_variance, settings->variance_bias,
-             settings->bleed_reduction, (double)guard->spread,
-             (double)guard->variance[0], (double)guard->variance[1],
-             (double)guard->mean[0], (double)guard->mean[1]);
+             automatic ? 0 : settings->min_variance, settings->bleed_reduction,
+             (double)guard.variance[0], (double)guard.variance[1],
+             (double)guard.mean[0], (double)guard.mean[1]);
 }

@@ -112,7 +112,7 @@ my %mutants = (
     ],
     'a kernel that is not normalised' => [
         'step4', 'step4_blur/shaders/blur.frag',
-        'weights[i + sides.x]', '1.01 * weights[i + sides.x]'
+        'weights[i + radius]', '1.01 * weights[i + radius]'
     ],
     'one texel for a group' => [
         'step4', 'step4_blur/shaders/downsample.frag',
@@ -157,7 +157,7 @@ my %mutants = (
         'variance / (variance + behind', 'mean / (mean + behind'
     ],
     'a central merge about no depth of its own' => [
-        'stability/stability', 'step3_moments/shaders/merge_central.glsl',
+        'stability/stability', 'step3_moments/techniques/central/merge_central.glsl',
         'return Merge(heaviest.x, 0.0, 0.0);', 'return Merge(0.0, 0.0, 0.0);'
     ],
     'depths outside the range' => [
@@ -166,7 +166,7 @@ my %mutants = (
         'light_depth(relative_position, layer)'
     ],
     'a lookup whose variance forgets the distance' => [
-        'stability/stability', 'step3_moments/shaders/merge_central.glsl',
+        'stability/stability', 'step3_moments/techniques/central/merge_central.glsl',
         'part * rest * apart * apart', '0.0'
     ],
     'weights of 2 x 2 swapped' => [
@@ -179,27 +179,27 @@ my %mutants = (
     ],
     'the wrong row of the kernel' => [
         'truths', 'step4_blur/shaders/blur.frag',
-        'weights[i + sides.x]', 'weights[abs(i)]'
+        'weights[i + radius]', 'weights[abs(i)]'
     ],
     'the variance bias taken away' => [
-        'step5', 'step5_chebyshev/shaders/visibility.glsl',
-        'depths.y + variance_bias', 'depths.y - variance_bias'
+        'step5', 'step5_chebyshev/techniques/variance_bias/bias.glsl',
+        'variance + variance_bias', 'variance - variance_bias'
     ],
     'a variance bias without a limit' => [
-        'step5', 'step5_chebyshev/shaders/visibility.glsl',
-        'min(depths.y + variance_bias, 1.0)', 'depths.y + variance_bias'
+        'step5', 'step5_chebyshev/techniques/variance_bias/bias.glsl',
+        'min(variance + variance_bias, 1.0)', 'variance + variance_bias'
     ],
     'a smooth reduction without rounded ends' => [
-        'step5', 'step5_chebyshev/shaders/reduction_smooth.glsl',
+        'step5', 'step5_chebyshev/techniques/smooth/reduction_smooth.glsl',
         'smoothstep(bleed_reduction, 1.0, p_max)',
         'clamp((p_max - bleed_reduction) / (1.0 - bleed_reduction), 0.0, 1.0)'
     ],
     'a smooth reduction from 0' => [
-        'step5', 'step5_chebyshev/shaders/reduction_smooth.glsl',
+        'step5', 'step5_chebyshev/techniques/smooth/reduction_smooth.glsl',
         'smoothstep(bleed_reduction', 'smoothstep(0.0'
     ],
     'what is outside the map is near' => [
-        'step4', 'step4_blur/blur.c',
+        'step4', 'step1_shadowmap/base/picture/frame.c',
         'single.filter = GL_NEAREST;',
         'single = (Sampling){GL_NEAREST, {0, 0, 0, 0}};'
     ],
@@ -208,12 +208,12 @@ my %mutants = (
         '%d;", settings->kernel', '%d;", settings->kernel + 2'
     ],
     'the blur reads between texels' => [
-        'step4', 'step4_blur/blur.c',
+        'step4', 'step1_shadowmap/base/picture/frame.c',
         'single.filter = GL_NEAREST', 'single.filter = GL_LINEAR'
     ],
     'central moments that the texture unit averages' => [
-        'central', 'step3_moments/moments.c',
-        '(Sampling){GL_NEAREST', '(Sampling){GL_LINEAR'
+        'central', 'step3_moments/techniques/central/central.c',
+        '{GL_NEAREST', '{GL_LINEAR'
     ],
     'a copy without shaders takes those of the tree around it' => [
         'robustness/moved', 'step1_shadowmap/base/files/tree.c',
@@ -290,11 +290,15 @@ my %mutants = (
         'row * std::size_t(y);', 'row * std::size_t(height - 1 - y);'
     ],
     'far depth that varies' => [
-        'central', 'step3_moments/moments.c',
+        'central', 'step3_moments/techniques/central/central.c',
         '{1, 0, 1, 1}', '{1, 1, 1, 1}'
     ],
+    'no least variance in the lesson' => [
+        'step5', 'step5_chebyshev/shaders/visibility.glsl',
+        'max(M2 - M1 * M1, min_variance)', 'M2 - M1 * M1'
+    ],
     'no least variance' => [
-        'step5', 'step5_chebyshev/shaders/guard_constant.glsl',
+        'step5', 'step5_chebyshev/techniques/guard/guard_constant.glsl',
         'max(variance_of(moments), min_variance)', 'variance_of(moments)'
     ],
     'lit is not told from shadowed' => [
@@ -346,84 +350,84 @@ my %mutants = (
         'abs(towards_light(relative_position).y)'
     ],
     'central moments merged about 0' => [
-        'central', 'step3_moments/shaders/merge_central.glsl',
+        'central', 'step3_moments/techniques/central/merge_central.glsl',
         'Merge(heaviest.x, 0.0, 0.0)', 'Merge(0.0, 0.0, 0.0)'
     ],
     'merged about a tap at the rim' => [
-        'central', 'step4_blur/shaders/blur_central.frag',
+        'central', 'step4_blur/techniques/central/blur_central.frag',
         'map_texel(middle))', 'map_texel(middle - sides.x * axis))'
     ],
     'a mean that is not moved back' => [
-        'central', 'step3_moments/shaders/merge_central.glsl',
+        'central', 'step3_moments/techniques/central/merge_central.glsl',
         'merge.square / weights - shift * shift', 'merge.square / weights'
     ],
     'variances averaged like means' => [
-        'central', 'step3_moments/shaders/merge_central.glsl',
+        'central', 'step3_moments/techniques/central/merge_central.glsl',
         'part * rest * apart * apart', '0.0'
     ],
     'a slope of central moments without a limit' => [
-        'central', 'step3_moments/shaders/merge_central.glsl',
+        'central', 'step3_moments/techniques/central/merge_central.glsl',
         'min(variance, depth - depth * depth)', 'variance'
     ],
     '16 bits cut off' => [
-        'central', 'step3_moments/shaders/store_half.glsl',
+        'central', 'step3_moments/techniques/central/store_half.glsl',
         'bits + 0xfffu + (bits >> 13 & 1u)', 'bits'
     ],
     'small halves cut off' => [
-        'central', 'step3_moments/shaders/store_half.glsl',
+        'central', 'step3_moments/techniques/central/store_half.glsl',
         'roundEven(', 'floor('
     ],
     'outside a central map boxes find depths that vary' => [
-        'boxes', 'step3_moments/shaders/merge_central.glsl',
+        'boxes', 'step3_moments/techniques/central/merge_central.glsl',
         'vec2(1.0, 0.0)', 'vec2(1.0, 1.0)'
     ],
     'a tenth of what rounds the mean' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
-        'guard_mean.x * mean', '0.1 * guard_mean.x * mean'
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'chain_mean.x * mean', '0.1 * chain_mean.x * mean'
     ],
     'ten times what rounds the mean' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
-        'guard_mean.x * mean', '10.0 * guard_mean.x * mean'
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'chain_mean.x * mean', '10.0 * chain_mean.x * mean'
     ],
     'a tenth of the spread' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
-        'guard_spread * deviation', '0.1 * guard_spread * deviation'
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'chain_spread * deviation', '0.1 * chain_spread * deviation'
     ],
     'ten times the spread' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
-        'guard_spread * deviation', '10.0 * guard_spread * deviation'
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'chain_spread * deviation', '10.0 * chain_spread * deviation'
     ],
     'a tenth of what rounds the deviation' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
-        'guard_variance.x * size', '0.1 * guard_variance.x * size'
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'chain_variance.x * size', '0.1 * chain_variance.x * size'
     ],
     'ten times what rounds the deviation' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
-        'guard_variance.x * size', '10.0 * guard_variance.x * size'
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'chain_variance.x * size', '10.0 * chain_variance.x * size'
     ],
     'a tenth of the noise' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         '64.0 / 16777216.0', '6.4 / 16777216.0'
     ],
     'ten times the noise' => [
-        'central', 'step5_chebyshev/shaders/guard_central.glsl',
+        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         '64.0 / 16777216.0', '640.0 / 16777216.0'
     ],
     'a tenth of what raw moments lose' => [
-        'central', 'step5_chebyshev/shaders/guard_raw.glsl',
+        'central', 'step5_chebyshev/shaders/visibility.glsl',
         'guard_variance.x * M2', '0.1 * guard_variance.x * M2'
     ],
     'ten times what raw moments lose' => [
-        'central', 'step5_chebyshev/shaders/guard_raw.glsl',
+        'central', 'step5_chebyshev/shaders/visibility.glsl',
         'guard_variance.x * M2', '10.0 * guard_variance.x * M2'
     ],
     'raw moments in 16 bits' => [
-        'robustness/options_chebyshev', 'step5_chebyshev/shading.c',
-        'if (half || blur->mips)', 'if (blur->mips)'
+        'robustness/options_chebyshev', 'step5_chebyshev/techniques/guard/guard_settings.c',
+        '} else if (is_half(frame)) {', '} else if (false) {'
     ],
     'raw moments in mip-maps' => [
-        'robustness/options_chebyshev', 'step5_chebyshev/shading.c',
-        'if (half || blur->mips)', 'if (half)'
+        'robustness/options_chebyshev', 'step5_chebyshev/techniques/guard/guard_settings.c',
+        '} else if (options_on(options, "mips")) {', '} else if (false) {'
     ],
     'a closed form of one axis' => [
         'step5', 'step5_chebyshev/chebyshev.c', '2 * along', 'along'
@@ -435,61 +439,61 @@ my %mutants = (
         'step5', 'step5_chebyshev/chebyshev.c', '3 * part', 'part'
     ],
     'projected in the map, not divided' => [
-        'moments', 'step3_moments/shaders/projected_depth.glsl',
+        'moments', 'step3_moments/techniques/projected/projected_depth.glsl',
         ' / dot(map_row(layer, 3), position)', ''
     ],
     'a projected slope without w' => [
-        'moments', 'step3_moments/shaders/projected_depth.glsl',
+        'moments', 'step3_moments/techniques/projected/projected_depth.glsl',
         ' - t * along.xyz', ''
     ],
     'a slope of u only' => [
-        'moments', 'step3_moments/shaders/slope_plane.glsl',
+        'moments', 'step3_moments/techniques/slope/slope_plane.glsl',
         'dot(per_texel, per_texel)', 'per_texel.x * per_texel.x'
     ],
     'the variance of a uniform texel' => [
-        'moments', 'step3_moments/shaders/slope_plane.glsl',
+        'moments', 'step3_moments/techniques/slope/slope_plane.glsl',
         '0.25', '(1.0 / 12.0)'
     ],
     'a normal from one edge and a corner' => [
-        'moments', 'step3_moments/shaders/triangle_plane.geom',
+        'moments', 'step3_moments/techniques/slope/triangle_plane.geom',
         'corner_position[2].xyz - first', 'corner_position[2].xyz'
     ],
     'four times the variance by derivatives' => [
-        'moments', 'step3_moments/shaders/slope_derivatives.glsl',
+        'moments', 'step3_moments/techniques/slope/slope_derivatives.glsl',
         '0.25 * dot', 'dot'
     ],
     'a derivative for both axes' => [
-        'moments', 'step3_moments/shaders/slope_derivatives.glsl',
+        'moments', 'step3_moments/techniques/slope/slope_derivatives.glsl',
         'dFdy(light', 'dFdx(light'
     ],
     'a slope added without a limit' => [
-        'moments', 'step3_moments/shaders/merge_raw.glsl',
+        'moments', 'step3_moments/techniques/shared/merge_raw.glsl',
         'min(depth * depth + variance, depth)', 'depth * depth + variance'
     ],
     'one sample for all' => [
-        'msaa', 'step3_moments/shaders/resolve.frag',
+        'msaa', 'step3_moments/techniques/msaa/resolve.frag',
         'texelFetch(samples, texel, i)', 'texelFetch(samples, texel, 0)'
     ],
     'a sample left out' => [
-        'msaa', 'step3_moments/shaders/resolve.frag',
+        'msaa', 'step3_moments/techniques/msaa/resolve.frag',
         'i < count', 'i < count - 1'
     ],
     'samples that do not vary' => [
         'msaa',
-        'step3_moments/shaders/resolve.frag',
+        'step3_moments/techniques/msaa/resolve.frag',
         'stored(merge_end(merge, float(count)));',
         "stored(merge_end(merge, float(count)));\n"
           . '    moments.y = moments.x * moments.x;'
     ],
     'a depth beside its triangle' => [
         'msaa',
-        'step3_moments/shaders/centroid_out.glsl',
+        'step3_moments/techniques/msaa/centroid_out.glsl',
         'centroid out', 'out',
-        'step3_moments/shaders/centroid_in.glsl',
+        'step3_moments/techniques/msaa/centroid_in.glsl',
         'centroid in', 'in'
     ],
     'the w of another place' => [
-        'msaa', 'step3_moments/shaders/centroid_in.glsl',
+        'msaa', 'step3_moments/techniques/msaa/centroid_in.glsl',
         'covered_position.xyz / covered_position.w', 'covered_position.xyz'
     ],
     'light outside the cone' => [
@@ -524,59 +528,59 @@ my %mutants = (
         '(p_max - bleed_reduction) / (1.0 - bleed_reduction)'
     ],
     'the normal of the other side' => [
-        'deferred', 'step5_chebyshev/shaders/gbuffer.frag',
+        'deferred', 'step5_chebyshev/techniques/deferred/gbuffer.frag',
         'stored_normal = viewer_normal()', 'stored_normal = -viewer_normal()'
     ],
     'the next pixel\'s position' => [
-        'deferred', 'step5_chebyshev/shaders/surface_stored.glsl',
+        'deferred', 'step5_chebyshev/techniques/deferred/surface_stored.glsl',
         'stored_position, ivec2(gl_FragCoord.xy)',
         'stored_position, ivec2(gl_FragCoord.xy) + ivec2(1, 0)'
     ],
     'derivatives taken of stored positions' => [
-        'deferred', 'step5_chebyshev/shaders/steps_stored.glsl',
+        'deferred', 'step5_chebyshev/techniques/deferred/steps_stored.glsl',
         'texelFetch(stored_right, ivec2(gl_FragCoord.xy), 0).xyz',
         'dFdx(relative_position)'
     ],
     'a box that shrinks when the camera is near' => [
-        'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
+        'sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
         'inversesqrt(', 'sqrt('
     ],
     'a box of the pixel\'s area' => [
-        'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
+        'sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
         'inversesqrt(max(texels, 1e-12))', '1.0 / max(texels, 1e-12)'
     ],
     'a box without a limit' => [
-        'sat_width', 'step5_chebyshev/shaders/lookup_sat_adaptive.glsl',
+        'sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
         '1.0, box_width)', '0.01, 64.0)'
     ],
     'u and v swapped for the sampler' => [
-        'sampler', 'step4_blur/shaders/lookup_hardware.glsl',
+        'sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
         'vec3(receiver.uv,', 'vec3(receiver.uv.yx,'
     ],
     'derivatives in texels for the sampler' => [
-        'sampler', 'step4_blur/shaders/lookup_hardware.glsl',
+        'sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
         'steps.xy, steps.zw', '9.0 * steps.xy, 9.0 * steps.zw'
     ],
     'levels made with a box' => [
-        'prefilters', 'step4_blur/shaders/mips.frag',
+        'prefilters', 'step4_blur/techniques/mips/mips.frag',
         'vec4(1.0, 3.0, 3.0, 1.0) / 8.0',
         'vec4(0.0, 4.0, 4.0, 0.0) / 8.0'
     ],
     'levels half a texel off' => [
-        'prefilters', 'step4_blur/shaders/mips.frag',
+        'prefilters', 'step4_blur/techniques/mips/mips.frag',
         'ivec2(gl_FragCoord.xy) - 1', 'ivec2(gl_FragCoord.xy)'
     ],
     'one level too coarse' => [
-        'prefilters', 'step4_blur/shaders/lookup_trilinear.glsl',
+        'prefilters', 'step4_blur/techniques/mips/lookup_trilinear.glsl',
         'log2(max(pixel_ellipse(receiver, size).longer, 1.0))',
         'log2(max(2.0 * pixel_ellipse(receiver, size).longer, 1.0))'
     ],
     'levels not blended' => [
-        'prefilters', 'step4_blur/shaders/mip_levels.glsl',
+        'prefilters', 'step4_blur/techniques/mips/mip_levels.glsl',
         'wanted - fine)', '0.0)'
     ],
     'taps that were turned and then forgotten' => [
-        'soft', 'step5_chebyshev/shaders/lookup_soft.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/lookup_soft.glsl',
         'moments_at_level(uv,', 'moments_at_level(receiver.uv,'
     ],
     'a disc whose points do not turn' => [
@@ -584,52 +588,52 @@ my %mutants = (
         'poisson_turns[4 * pixel.y + pixel.x]', 'poisson_turns[0]'
     ],
     'all taps at the finest level' => [
-        'soft', 'step5_chebyshev/shaders/lookup_soft.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/lookup_soft.glsl',
         'log2(max(disc.texels * POISSON_RADIUS, 1.0))', '0.0'
     ],
     'occluders as deep as the mean' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'before / hidden', 'before'
     ],
     'a penumbra of the other kind of light' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'light_position.w == 0.0', 'light_position.w != 0.0'
     ],
     'a penumbra as wide as the light' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'penumbra_width(here, occluder)', 'penumbra_width(here, nearest)'
     ],
     'a disc of twice the penumbra' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         '0.5 * width / texels', 'width / texels'
     ],
     'a circle that no perspective stretches' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'cross(towards_light(receiver.relative_position), u)',
         'cross(towards_light(vec3(0.0)), u)'
     ],
     'a search that is as wide as the map' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         '1.0 / 8.0', '1.0'
     ],
     'one search, as wide as the light' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'pow(LEAST_DISC / widest, part)', '1.0'
     ],
     'a tilted receiver taken for what is before it' => [
-        'soft', 'step5_chebyshev/shaders/penumbra.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'min(deviation * deviation, 0.9 * variance)', '0.0'
     ],
     'a hybrid that is lit behind its occluders' => [
-        'soft', 'step5_chebyshev/shaders/visibility_hybrid.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
         'plane - bias <= occluder', 'plane - bias > occluder'
     ],
     'a hybrid that compares one depth for all taps' => [
-        'soft', 'step5_chebyshev/shaders/visibility_hybrid.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
         'receiver.depth + dot(slope, away)', 'receiver.depth'
     ],
     'a hybrid that reaches around its caster' => [
-        'soft', 'step5_chebyshev/shaders/visibility_hybrid.glsl',
+        'soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
         'min(0.5 * disc.gap / LEAST_DISC, 1.0)', '1.0'
     ],
     'derivatives of x and y swapped' => [
@@ -637,16 +641,16 @@ my %mutants = (
         'dFdx(relative_position)', 'dFdy(relative_position)'
     ],
     'taps along the shorter axis' => [
-        'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'pixel.direction * apart',
         'pixel.direction.yx * vec2(-1, 1) * apart'
     ],
     'every tap at one place' => [
-        'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'receiver.uv + steps * tap_step', 'receiver.uv'
     ],
     'taps at the level of the longer axis' => [
-        'prefilters', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
     'an object drawn in the place of another' => [
@@ -658,69 +662,69 @@ my %mutants = (
         'layers = 6', 'layers = 3'
     ],
     'a running box that misses its own block' => [
-        'boxes', 'step4_blur/shaders/running_box.comp',
+        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'merge_add_sums(box', '// merge_add_sums(box'
     ],
     'a running box that takes what another one kept' => [
-        'boxes', 'step4_blur/shaders/running_box.comp',
+        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'before[width - 1 - i]', 'before[i]'
     ],
     'weights written with two digits' => [
         'truths', 'step4_blur/blur.c', '%s%.9g', '%s%.2g'
     ],
     'the constants of one filter for all' => [
-        'boxes', 'step4_blur/blur.c',
-        'blur->filters[filter].sides, blur->running',
-        'blur->filters[0].sides, blur->running'
+        'boxes', 'step4_blur/techniques/kernels/kernels.c',
+        'running_box_program(&frame->shaders, sides)',
+        'running_box_program(&frame->shaders, state.filters[0].sides)'
     ],
     'a block that begins one texel late' => [
-        'boxes', 'step4_blur/shaders/running_box.comp',
+        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'line_texel(start - i)', 'line_texel(start - i - 1)'
     ],
     'a running box about a depth that it does not hold' => [
-        'boxes', 'step4_blur/shaders/running_box.comp',
+        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'vec2 first = line_texel(start)', 'vec2 first = vec2(0.0)'
     ],
     'even boxes that lean to the same side' => [
-        'boxes', 'step4_blur/shaders/blur.frag',
-        'int i = -sides.x; i <= sides.y', 'int i = -max(sides.x, sides.y); i <= min(sides.x, sides.y)'
+        'boxes', 'step4_blur/techniques/kernels/kernels.c',
+        'weights[radius - sides[0]]', 'weights[0]'
     ],
     'a table summed along one axis' => [
-        'prefilters', 'step4_blur/shaders/sat_sum.frag',
+        'prefilters', 'step4_blur/techniques/sat/sat_sum.frag',
         'stride * axis', 'stride * ivec2(axis.x, 0)'
     ],
     'a running sum that begins late' => [
-        'prefilters', 'step4_blur/shaders/sat_rows.comp',
+        'prefilters', 'step4_blur/techniques/sat/sat_rows.comp',
         'ivec2(0, gl_GlobalInvocationID.x)', 'ivec2(1, gl_GlobalInvocationID.x)'
     ],
     'columns that are not summed' => [
-        'prefilters', 'step4_blur/shaders/sat_columns.comp',
+        'prefilters', 'step4_blur/techniques/sat/sat_columns.comp',
         'sum += imageLoad', 'sum = imageLoad'
     ],
     'a table whose ends are counted twice' => [
-        'prefilters', 'step4_blur/shaders/sat_box.glsl',
+        'prefilters', 'step4_blur/techniques/sat/sat_box.glsl',
         'first + int(floor(end))', 'first + int(floor(end)) + 1'
     ],
     'a box of whole texels only' => [
-        'prefilters', 'step4_blur/shaders/sat_box.glsl',
+        'prefilters', 'step4_blur/techniques/sat/sat_box.glsl',
         'vec3(1.0 - within, 1.0, end - floor(end))', 'vec3(1.0, 1.0, 0.0)'
     ],
     'a table of 16 bits' => [
         'prefilters',
-        'step4_blur/shaders/sat_steps.glsl',
+        'step4_blur/techniques/sat/sat_steps.glsl',
         'clamp(nearness, 0.0, 1.0) * float(steps) + 0.5',
         'floor(clamp(nearness, 0.0, 1.0) * 65536.0) * float(steps / 65536u)'
     ],
     'levels of a cube as coarse as there are' => [
-        'seams', 'step4_blur/shaders/mip_levels.glsl',
+        'seams', 'step4_blur/techniques/mips/mip_levels.glsl',
         'float last = float(last_level)', 'float last = 8.0'
     ],
     'taps along a pixel beyond the border of a face' => [
-        'seams', 'step4_blur/shaders/lookup_anisotropic.glsl',
+        'seams', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'return min(1.0, room / max(outermost, 1e-30))', 'return 1.0'
     ],
     'the texture unit always at level 0' => [
-        'sampler', 'step4_blur/shaders/lookup_hardware.glsl',
+        'sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
         'steps.xy, steps.zw', '0.0 * steps.xy, 0.0 * steps.zw'
     ],
     'the border cut off before the blur' => [
@@ -743,7 +747,7 @@ my %mutants = (
         'facing > 0.0 && spread', 'spread'
     ],
     'what is no number, with one option only' => [
-        'robustness/pairs', 'step5_chebyshev/shaders/reduction_smooth.glsl',
+        'robustness/pairs', 'step5_chebyshev/techniques/smooth/reduction_smooth.glsl',
         'smoothstep(', 'sqrt(-1.0) * smoothstep('
     ],
     'facing away is not dark' => [
@@ -772,7 +776,7 @@ my %mutants = (
     ],
     'blocks that start where the rectangle does' => [
         'plan',
-        'step4_blur/running_box.c',
+        'step4_blur/techniques/kernels/running_box.c',
         'low / width * width + sides[1]',
         'low + sides[1]'
     ],

@@ -26,7 +26,7 @@ $(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | set-up
 	    -c -o $@ $<
 # And step 5's own numbers, to be held against them.
 STABILITY_SHARED := $(BUILD)/obj/step5_chebyshev/chebyshev.c.o \
-    $(BUILD)/obj/step5_chebyshev/guard.c.o \
+    $(BUILD)/obj/step5_chebyshev/techniques/guard/guard.c.o \
     $(BUILD)/obj/step1_shadowmap/base/system/die.c.o \
     $(BUILD)/obj/step1_shadowmap/base/system/memory.c.o
 $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)

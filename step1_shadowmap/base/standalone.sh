@@ -44,8 +44,8 @@ elif [ -e "$folder" ] || [ -L "$folder" ]; then
 fi
 
 mkdir -p "$folder"
-for file in "$@" "$program/Makefile"; do
-    cp --parents "$file" "$folder"
+for file in "$@"; do
+    cp --parents "$file" "${file%%/*}/Makefile" "$folder"
 done
 printf 'ROOT := .\ninclude %s/Makefile\n' "$program" >"$folder/Makefile"
 printf 'make -C %s\n%s --output mine.png\n' "$(quoted "${folder%/}")" \

@@ -20,3 +20,10 @@ endif
 ifneq ($(origin PROGRAMS),file)
 override undefine PROGRAMS
 endif
+
+# What a program is made of: the lessons of earlier steps, without their main.c;
+# and the techniques of steps, its own first, whose table lists them all.
+lesson_of = $(filter-out %/main.c,$(foreach step,$1,$($(step)_lesson)))
+techniques_of = $(patsubst $(ROOT)/%,%,\
+    $(wildcard $(ROOT)/$(firstword $1)/techniques/table.c \
+        $(foreach step,$1,$(ROOT)/$(step)/techniques/*/*)))

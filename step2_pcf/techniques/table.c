@@ -1,7 +1,7 @@
 // The techniques of step 2.
-#include "step1_shadowmap/base/run/technique.h"
+#include "step1_shadowmap/base/picture/technique.h"
 
-extern const Technique pcf_poisson, pcf_bilinear, pcf_adaptive;
+extern const Technique pcf_adaptive, pcf_poisson, pcf_bilinear;
 
-const Technique *const techniques[] = {&pcf_poisson, &pcf_bilinear,
-                                       &pcf_adaptive, NULL};
+const Technique *const techniques[] = {&pcf_adaptive, &pcf_poisson,
+                                       &pcf_bilinear, NULL};

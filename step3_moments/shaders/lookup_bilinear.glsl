@@ -1,6 +1,11 @@
-// The moments where a point of the picture is in the map, between texels.
+// The moments where a point of the picture is in the map: between texels the
+// weighted mean of 2 x 2, which is what the texture unit makes. Outside is far
+// depth.
+
+uniform sampler2DArray shadow_map;  // red, green: moments M1, M2 of the depth
 
 vec2 moments_at(Receiver receiver)
 {
-    return moments_between(receiver.uv, receiver.layer, 0.0);
+    vec3 place = vec3(receiver.uv, float(receiver.layer));
+    return textureLod(shadow_map, place, 0.0).rg;
 }

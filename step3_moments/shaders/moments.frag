@@ -4,6 +4,8 @@
 
 uniform int layer;
 
+in vec3 relative_position;
+
 layout(location = 0) out vec2 moments;
 
 void main()

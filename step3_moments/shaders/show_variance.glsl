@@ -3,7 +3,8 @@
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {
-    float variance = max(variance_of(moments_at(receiver)), 1e-9);
+    vec2 moments = moments_at(receiver);
+    float variance = max(moments.y - moments.x * moments.x, 1e-9);
     float decades = log(variance) / log(10.0);
     return scale_color(clamp((decades + 9.0) / 8.0, 0.0, 1.0));
 }

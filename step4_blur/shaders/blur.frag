@@ -2,11 +2,10 @@
 // 2 n texels where the square of n x n texels costs n^2. Moments are means, so
 // their weighted mean is the moment of all these texels.
 //
-// blur.c puts two constants in front, for this filter alone:
-//     const ivec2 sides;      texels before and after the one in the middle
+// blur.c puts three constants in front:
+//     const ivec2 axis;       (1, 0) along u, (0, 1) along v
+//     const int radius;       texels to each side of the one in the middle
 //     const float weights[];  one for each, they add up to 1
-
-uniform ivec2 axis;  // (1, 0) along u, (0, 1) along v
 
 layout(location = 0) out vec2 moments;
 
@@ -14,7 +13,7 @@ void main()
 {
     ivec2 middle = ivec2(gl_FragCoord.xy);
     moments = vec2(0.0);
-    for (int i = -sides.x; i <= sides.y; i++) {
-        moments += weights[i + sides.x] * map_texel(middle + i * axis);
+    for (int i = -radius; i <= radius; i++) {
+        moments += weights[i + radius] * map_texel(middle + i * axis);
     }
 }

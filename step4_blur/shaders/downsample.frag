@@ -1,18 +1,19 @@
 // A smaller map: the mean of factor x factor texels. The moments of a group of
 // texels are the means of their moments.
-
-uniform int factor;
+//
+// blur.c puts a constant in front:
+//     const int factor;
 
 layout(location = 0) out vec2 moments;
 
 void main()
 {
     ivec2 corner = ivec2(gl_FragCoord.xy) * factor;
-    Merge merge = merge_about(map_texel(corner));
+    vec2 sum = vec2(0.0);
     for (int y = 0; y < factor; y++) {
         for (int x = 0; x < factor; x++) {
-            merge_add(merge, 1.0, map_texel(corner + ivec2(x, y)));
+            sum += map_texel(corner + ivec2(x, y));
         }
     }
-    moments = stored(merge_end(merge, float(factor * factor)));
+    moments = sum / float(factor * factor);
 }

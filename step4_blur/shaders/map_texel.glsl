@@ -1,6 +1,6 @@
-// Reading single texels of a map: blur.c binds a sampler without a filter, with
-// a border at far depth. (texelFetch() would do, but Mesa's software driver
-// takes twice as long for it.)
+// Reading single texels of a map: frame_filter() binds a sampler without a
+// filter, with a border at far depth. (texelFetch() would do, but Mesa's
+// software driver takes twice as long for it.)
 
 uniform sampler2DArray map;  // red, green: moments of the depth
 uniform int layer;

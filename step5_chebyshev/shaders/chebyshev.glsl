@@ -1,7 +1,4 @@
 // Step 5: Donnelly, Lauritzen, Variance shadow maps, I3D 2006.
-//
-// chebyshev.c puts a constant in front:
-//     const float variance_bias;  added to every variance, of the squared range
 
 // The largest part of the filter's depths X that can be at or behind t:
 // P(X >= t) <= variance / (variance + (t - mean)^2) where t > mean (Cantelli's

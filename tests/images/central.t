@@ -98,7 +98,7 @@ for my $moments (qw(raw central)) {
 
 # Both say the same about a teapot: means within 16 roundings of the blur, and
 # variances within the bound of raw ones, K M2 with K = 45 u of a box of 7 x 7
-# (step5_chebyshev/guard.h) and what the shader's own difference rounds.
+# (step5_chebyshev/techniques/guard/guard.h) and what the shader's own difference rounds.
 my ( $raw, $central ) =
   map { dump_run( 4, @small, '--moments', $_ ) . '/blurred.0.exr' }
   qw(raw central);

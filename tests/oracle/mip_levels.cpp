@@ -119,7 +119,7 @@ struct SpreadLookup {
     {
         return rounded_once(merged({{1 - part, fine}, {part, coarse}}));
     }
-    // Of n taps about the first, see step5_chebyshev/guard.h.
+    // Of n taps about the first, see step5_chebyshev/techniques/guard/guard.h.
     Value averaged(const std::vector<Value> &taps) const
     {
         double n = double(taps.size());

@@ -1,5 +1,5 @@
 // How wrong the bound p can be, and what the minimum variance has to be so that
-// p never falls below the lit share. step5_chebyshev/guard.h has the proof and
+// p never falls below the lit share. step5_chebyshev/techniques/guard/guard.h has the proof and
 // the names (u, s, e, q, h, E, K, L, R, F, G); this is the same once more, in
 // other code, for one window of depths at a time. Where more is known here, the
 // bound is sharper:

@@ -4,7 +4,7 @@
 #include <stdio.h> // printf
 
 #include "step5_chebyshev/chebyshev.h" // chebyshev_guard
-#include "step5_chebyshev/guard.h"
+#include "step5_chebyshev/techniques/guard/guard.h"
 #include "tests/stability/bound.h" // errors_of
 
 static GuardChain step5_chain(const Chain *chain)
@@ -34,7 +34,7 @@ static GuardChain step5_chain(const Chain *chain)
 Guard guard_of_step5(const Chain *chain)
 {
     GuardChain own = step5_chain(chain);
-    GuardNumbers numbers = guard_numbers(&own);
+    ChainNumbers numbers = guard_numbers(&own);
     return (Guard){.variance = numbers.variance[0],
                    .deviation = numbers.spread,
                    .mean = numbers.mean[0],
@@ -67,7 +67,7 @@ bool step5_guards(const Chain *chain)
 
 // A box of this radius after downsampling by a factor, as guard_settings.c has
 // it.
-static GuardNumbers of_chain(int radius, int factor)
+static ChainNumbers of_chain(int radius, int factor)
 {
     GuardChain chain = {.central = false};
     int taps = 2 * radius + 1;
@@ -90,7 +90,7 @@ void print_closed_form(void)
         double least = HUGE_VAL, most = 0;
         for (int radius = 0; radius <= 1024; radius++) {
             GuardNumbers own = chebyshev_guard(radius, factor);
-            GuardNumbers chain = of_chain(radius, factor);
+            ChainNumbers chain = of_chain(radius, factor);
             for (int i = 0; i < 2; i++) {
                 double mean = (double)own.mean[i] / (double)chain.mean[i];
                 double variance =

@@ -17,9 +17,9 @@ typedef GlFunction (*GlLoader)(const char *name);
 // makes every GL error fatal from here on.
 void gl_load(GlLoader loader);
 
-enum { PROGRAM_MAX_FILES = 24 };
+enum { PROGRAM_MAX_FILES = 32 };
 
-enum { SHADERS_MAX_INSTEAD = 32 };
+enum { SHADERS_MAX_INSTEAD = 32, SHADERS_FRONT_BYTES = 512 };
 
 typedef struct Program Program;
 
@@ -34,6 +34,7 @@ typedef struct Shaders {
         const char *const *files;
     } instead[SHADERS_MAX_INSTEAD];
     int instead_count;
+    char front[SHADERS_FRONT_BYTES];
 } Shaders;
 
 // From here on other files (NULL at the end, static) stand in place of one, in
@@ -43,32 +44,27 @@ typedef struct Shaders {
 void gl_put_instead(Shaders *shaders, const char *file,
                     const char *const files[]);
 
+// From here on these definitions in GLSL stand in front of every program that
+// is made: what a technique knows only at run time.
+void gl_put_in_front(Shaders *shaders, const char *definitions);
+
 // The files that a list of names stands for, NULL at the end, at most
-// PROGRAM_MAX_FILES.
+// PROGRAM_MAX_FILES. What a stage has already comes no second time.
 void gl_find_files(const Shaders *shaders, const char *const names[],
                    const char *files[PROGRAM_MAX_FILES + 1]);
 
-// A program of several shader files: each list ends with NULL and its files
-// are compiled as one shader, in that order; the names stay valid. They carry
-// no #version line (it may come only once, before all else); 330 core is put in
-// front. So are `constants`, of which a copy is kept: definitions in GLSL of
-// what is known only at run time, or NULL. Nothing is read or compiled before
-// the program is used.
+// A program of several shader files, NULL at the end; the names stay valid. The
+// files of a stage are compiled as one shader, in that order. The last one has
+// main(), and its name says which stage it is: .vert, .geom, .frag or .comp.
+// They carry no #version line (it may come only once, before all else); 330
+// core is put in front, of compute shaders 430 core. So are `constants`, of
+// which a copy is kept: definitions in GLSL of what is known only at run time,
+// or NULL. Nothing is read or compiled before the program is used.
 Program *gl_program(Shaders *shaders, const char *constants,
-                    const char *const vertex[], const char *const fragment[]);
-
-// The same with a geometry shader between the two.
-Program *gl_program_of_triangles(Shaders *shaders, const char *constants,
-                                 const char *const vertex[],
-                                 const char *const geometry[],
-                                 const char *const fragment[]);
+                    const char *const files[]);
 
 // Whether this driver has compute shaders (OpenGL 4.3).
 bool gl_has_compute(void);
-
-// The same of a compute shader, which is in version 430 core.
-Program *gl_compute_program(Shaders *shaders, const char *constants,
-                            const char *const files[]);
 
 // Uses the program from here on, and returns its name for glUniform. Compiles
 // it the first time: an error stops the run with the file and line that it is

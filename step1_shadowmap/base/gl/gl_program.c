@@ -6,7 +6,7 @@
 #include <errno.h>
 #include <stdio.h>    // fopen, snprintf, sscanf
 #include <stdlib.h>   // free
-#include <string.h>   // memmove, strchr, strcspn, strlen, strncmp, strstr
+#include <string.h>   // memmove, strchr, strcmp, strcspn, strlen, strrchr, ...
 #include <sys/stat.h> // lstat
 
 #include "step1_shadowmap/base/system/die.h" // allocate, complain, die
@@ -24,14 +24,28 @@ struct Program {
     GLuint id; // 0 before the program is used
     Program *next;
     const Shaders *shaders;
-    char *constants; // or NULL
-    // Names of files, NULL after the last. It has either vertex and fragment
-    // files, or compute files.
-    const char *compute[PROGRAM_MAX_FILES + 1];
-    const char *vertex[PROGRAM_MAX_FILES + 1];
-    const char *geometry[PROGRAM_MAX_FILES + 1]; // none: no such stage
-    const char *fragment[PROGRAM_MAX_FILES + 1];
+    char *constants;
+    const char *files[PROGRAM_MAX_FILES + 1]; // names, NULL after the last
 };
+
+// The stage that a file is the last one of; 0: of none.
+static GLenum stage_of(const char *file)
+{
+    static const struct {
+        const char *ending;
+        GLenum type;
+    } stages[] = {{".vert", GL_VERTEX_SHADER},
+                  {".geom", GL_GEOMETRY_SHADER},
+                  {".frag", GL_FRAGMENT_SHADER},
+                  {".comp", GL_COMPUTE_SHADER}};
+    const char *ending = strrchr(file, '.');
+    for (int i = 0; i < 4; i++) {
+        if (ending != NULL && strcmp(ending, stages[i].ending) == 0) {
+            return stages[i].type;
+        }
+    }
+    return 0;
+}
 
 // What is left of the file as a string; NULL if it cannot be read or is no
 // text. A byte order mark, which some editors put in front, is none of GLSL.
@@ -110,7 +124,7 @@ static char *read_shader(const Program *program, const char *name,
 // message is the first line that says "error", with the name of the file that
 // was read and its own line.
 static void explain_log(const char *log, const Program *program,
-                        const char *const files[], char *message)
+                        const char *const files[], int count, char *message)
 {
     char path[PATH_BYTES];
     const char *line = log;
@@ -119,16 +133,12 @@ static void explain_log(const char *log, const Program *program,
         line = strchr(line, '\n') + 1;
     }
     int length = (int)strcspn(line, "\n");
-    int file = 0;
-    while (files[file + 1] != NULL) {
-        file++;
-    }
     int number = 0;
     int skipped = 0;
     bool numbered =
         sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) == 1 &&
-        number / LINES_PER_FILE <= file;
-    find_shader(program, files[numbered ? number / LINES_PER_FILE : file],
+        number / LINES_PER_FILE < count;
+    find_shader(program, files[numbered ? number / LINES_PER_FILE : count - 1],
                 path);
     if (numbered) {
         snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s", path,
@@ -150,7 +160,7 @@ static GLuint compile_texts(GLenum type, const Program *program,
     const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {
         type == GL_COMPUTE_SHADER ? "#version 430 core\n"
                                   : "#version 330 core\n",
-        program->constants == NULL ? "" : program->constants};
+        program->constants};
     for (int i = 0; i < count; i++) {
         snprintf(before[i], sizeof before[i], "\n#line %d\n",
                  i * LINES_PER_FILE + 1);
@@ -165,100 +175,88 @@ static GLuint compile_texts(GLenum type, const Program *program,
     if (!compiled) {
         char log[LOG_BYTES] = "";
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        explain_log(log, program, files, message);
+        explain_log(log, program, files, count, message);
         glDeleteShader(shader);
         return 0;
     }
     return shader;
 }
 
-static GLuint compile(const Program *program, GLenum type,
-                      const char *const files[], char *message)
+// One stage of the program, of so many files.
+static GLuint compile(const Program *program, const char *const files[],
+                      int count, char *message)
 {
     char *texts[PROGRAM_MAX_FILES] = {NULL};
     GLuint shader = 0;
-    int count = 0;
+    int read = 0;
     bool complete = true;
-    while (complete && files[count] != NULL) {
-        texts[count] = read_shader(program, files[count], message);
-        complete = texts[count++] != NULL;
+    while (complete && read < count) {
+        texts[read] = read_shader(program, files[read], message);
+        complete = texts[read++] != NULL;
     }
     if (complete) {
-        shader = compile_texts(type, program, files, count, texts, message);
+        shader = compile_texts(stage_of(files[count - 1]), program, files,
+                               count, texts, message);
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < read; i++) {
         free(texts[i]);
     }
     return shader;
 }
 
-// The linked program, or 0 and the message, which blames the last shader's
-// files.
-static GLuint link_shaders(const Program *program, int count,
-                           const GLuint shaders[], const char *const files[],
-                           char *message)
+// Compiles a stage after the other into a program; false and the message if
+// one does not compile. They go when the program does.
+static bool attach_stages(GLuint id, const Program *program, char *message)
+{
+    const char *const *first = program->files;
+    for (const char *const *file = first; *file != NULL; file++) {
+        if (stage_of(*file) != 0) {
+            GLuint shader =
+                compile(program, first, (int)(file + 1 - first), message);
+            if (shader == 0) {
+                return false;
+            }
+            glAttachShader(id, shader);
+            glDeleteShader(shader);
+            first = file + 1;
+        }
+    }
+    return true;
+}
+
+static void blame_last_stage(const char *log, const Program *program,
+                             char *message)
+{
+    int first = 0, count = 0;
+    for (; program->files[count] != NULL; count++) {
+        if (count > 0 && stage_of(program->files[count - 1]) != 0) {
+            first = count;
+        }
+    }
+    explain_log(log, program, program->files + first, count - first, message);
+}
+
+// The linked program, or 0 and the message. One that does not link blames the
+// last stage.
+static GLuint build(const Program *program, char *message)
 {
     GLuint id = glCreateProgram();
-    for (int i = 0; i < count; i++) {
-        glAttachShader(id, shaders[i]);
-    }
-    glLinkProgram(id);
-    for (int i = 0; i < count; i++) {
-        glDetachShader(id, shaders[i]);
-    }
     GLint linked = GL_FALSE;
-    glGetProgramiv(id, GL_LINK_STATUS, &linked);
-    if (!linked) {
+    bool compiled = attach_stages(id, program, message);
+    if (compiled) {
+        glLinkProgram(id);
+        glGetProgramiv(id, GL_LINK_STATUS, &linked);
+    }
+    if (compiled && !linked) {
         char log[LOG_BYTES] = "";
         glGetProgramInfoLog(id, sizeof log, NULL, log);
-        explain_log(log, program, files, message);
+        blame_last_stage(log, program, message);
+    }
+    if (!linked) {
         glDeleteProgram(id);
         return 0;
     }
     return id;
-}
-
-static GLuint build_compute(const Program *program, char *message)
-{
-    GLuint id = 0;
-    GLuint shader =
-        compile(program, GL_COMPUTE_SHADER, program->compute, message);
-    if (shader != 0) {
-        id = link_shaders(program, 1, &shader, program->compute, message);
-    }
-    glDeleteShader(shader);
-    return id;
-}
-
-static GLuint build_drawing(const Program *program, char *message)
-{
-    const struct {
-        GLenum type;
-        const char *const *files;
-    } stages[] = {{GL_VERTEX_SHADER, program->vertex},
-                  {GL_FRAGMENT_SHADER, program->fragment},
-                  {GL_GEOMETRY_SHADER, program->geometry}};
-    int count = program->geometry[0] != NULL ? 3 : 2;
-    GLuint id = 0;
-    GLuint shaders[3] = {0};
-    bool compiled = true;
-    for (int i = 0; compiled && i < count; i++) {
-        shaders[i] = compile(program, stages[i].type, stages[i].files, message);
-        compiled = shaders[i] != 0;
-    }
-    if (compiled) {
-        id = link_shaders(program, count, shaders, program->fragment, message);
-    }
-    for (int i = 0; i < count; i++) {
-        glDeleteShader(shaders[i]); // the name 0 is ignored
-    }
-    return id;
-}
-
-static GLuint build(const Program *program, char *message)
-{
-    return program->compute[0] != NULL ? build_compute(program, message)
-                                       : build_drawing(program, message);
 }
 
 void gl_put_instead(Shaders *shaders, const char *file,
@@ -274,6 +272,26 @@ void gl_put_instead(Shaders *shaders, const char *file,
     }
     shaders->instead[shaders->instead_count].file = file;
     shaders->instead[shaders->instead_count++].files = files;
+}
+
+void gl_put_in_front(Shaders *shaders, const char *definitions)
+{
+    size_t length = strlen(shaders->front);
+    if (length + strlen(definitions) >= sizeof shaders->front) {
+        die("more than %d bytes of definitions", SHADERS_FRONT_BYTES);
+    }
+    strcpy(shaders->front + length, definitions);
+}
+
+// Whether the running stage has the file already.
+static bool has_file(const char *const files[], int count, const char *name)
+{
+    while (count > 0 && stage_of(files[count - 1]) == 0) {
+        if (strcmp(files[--count], name) == 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // Appends what a list stands for, but takes `but` as it is.
@@ -292,7 +310,7 @@ static int append_files(const Shaders *shaders, const char *const names[],
             count = append_files(shaders, instead, *names, files, count);
         } else if (count == PROGRAM_MAX_FILES) {
             die("more than %d shader files", PROGRAM_MAX_FILES);
-        } else {
+        } else if (!has_file(files, count, *names)) {
             files[count++] = *names;
         }
     }
@@ -306,43 +324,18 @@ void gl_find_files(const Shaders *shaders, const char *const names[],
     append_files(shaders, names, NULL, files, 0);
 }
 
-static Program *add_program(Shaders *shaders, const char *constants)
+Program *gl_program(Shaders *shaders, const char *constants,
+                    const char *const files[])
 {
     Program *program = allocate(1, sizeof *program);
+    const char *own = constants == NULL ? "" : constants;
+    size_t bytes = strlen(own) + strlen(shaders->front) + 1;
     program->shaders = shaders;
     program->next = shaders->programs;
     shaders->programs = program;
-    if (constants != NULL) {
-        program->constants = allocate(strlen(constants) + 1, 1);
-        strcpy(program->constants, constants);
-    }
-    return program;
-}
-
-Program *gl_program(Shaders *shaders, const char *constants,
-                    const char *const vertex[], const char *const fragment[])
-{
-    Program *program = add_program(shaders, constants);
-    gl_find_files(shaders, vertex, program->vertex);
-    gl_find_files(shaders, fragment, program->fragment);
-    return program;
-}
-
-Program *gl_program_of_triangles(Shaders *shaders, const char *constants,
-                                 const char *const vertex[],
-                                 const char *const geometry[],
-                                 const char *const fragment[])
-{
-    Program *program = gl_program(shaders, constants, vertex, fragment);
-    gl_find_files(shaders, geometry, program->geometry);
-    return program;
-}
-
-Program *gl_compute_program(Shaders *shaders, const char *constants,
-                            const char *const files[])
-{
-    Program *program = add_program(shaders, constants);
-    gl_find_files(shaders, files, program->compute);
+    program->constants = allocate(bytes, 1);
+    snprintf(program->constants, bytes, "%s%s", own, shaders->front);
+    gl_find_files(shaders, files, program->files);
     return program;
 }
 

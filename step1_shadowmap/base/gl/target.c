@@ -1,5 +1,7 @@
 #include "step1_shadowmap/base/gl/target.h"
 
+#include <string.h> // memmove, strcmp
+
 #include "step1_shadowmap/base/system/die.h" // die
 
 size_t target_texel_bytes(const Target *target)
@@ -16,12 +18,9 @@ static size_t samples_of(const Target *target)
     return target->kind == TARGET_SAMPLES ? (size_t)target->samples : 1;
 }
 
-void target_add(Targets *targets, Target *target)
+// What `reads` says, and that all is wanted.
+static void begin_target(Target *target)
 {
-    if (targets->count == TARGETS_MAX) {
-        die("more than %d targets", TARGETS_MAX);
-    }
-    targets->list[targets->count++] = target;
     if (target->reads != NULL) {
         target->read_bytes = (size_t)(target->scale * target->scale) *
                              samples_of(target->reads) *
@@ -31,6 +30,74 @@ void target_add(Targets *targets, Target *target)
         target->layer[layer].wanted = rect_whole(target->width, target->height);
         target->layer[layer].draw = true;
     }
+}
+
+static void insert(Targets *targets, int place, Target *target)
+{
+    if (targets->count == TARGETS_MAX) {
+        die("more than %d targets", TARGETS_MAX);
+    }
+    memmove(&targets->list[place + 1], &targets->list[place],
+            sizeof targets->list[0] * (size_t)(targets->count - place));
+    targets->list[place] = target;
+    targets->count++;
+    begin_target(target);
+}
+
+void target_add(Targets *targets, Target *target)
+{
+    insert(targets, targets->count, target);
+}
+
+void target_add_before(Targets *targets, Target *target, const Target *before)
+{
+    int place = 0;
+    while (place < targets->count && targets->list[place] != before) {
+        place++;
+    }
+    insert(targets, place, target);
+}
+
+Target *targets_find(const Targets *targets, const char *pass)
+{
+    for (int i = 0; i < targets->count; i++) {
+        const char *name = targets->list[i]->pass;
+        if (name != NULL && strcmp(name, pass) == 0) {
+            return targets->list[i];
+        }
+    }
+    return NULL;
+}
+
+Target target_reading(Target *source, const char *pass, int factor)
+{
+    return (Target){.pass = pass,
+                    .kind = source->kind,
+                    .width = source->width / factor,
+                    .height = source->height / factor,
+                    .layers = source->layers,
+                    .formats = {source->formats[0]},
+                    .sampling = source->sampling,
+                    .reads = source,
+                    .scale = factor};
+}
+
+Target target_alias(Target *of)
+{
+    Target target = target_reading(of, NULL, 1);
+    target.shares = of;
+    target.alias = true;
+    return target;
+}
+
+void target_take_place(Target *target, Target *other)
+{
+    const char *file = target->file;
+    int looked_up = target->looked_up;
+    *target = target_alias(other);
+    target->file = file;
+    target->looked_up = looked_up;
+    begin_target(target);
 }
 
 static void make_layers(Target *target)
@@ -127,7 +194,7 @@ GLuint target_texture(Target *target)
 const Rect *target_wanted(Target *target, int layer)
 {
     const Rect *wanted = &target->layer[layer].wanted;
-    if (!target->layer[layer].draw || rect_is_empty(wanted)) {
+    if (target->alias || !target->layer[layer].draw || rect_is_empty(wanted)) {
         return NULL;
     }
     target_texture(target);

@@ -26,7 +26,7 @@ typedef struct Target Target;
 struct Target {
     // The pass, for --plan: its name, and who does it or why there is none
     // (kind TARGET_NOTHING, or idle).
-    const char *pass;
+    const char *pass; // NULL: it has no row
     const char *why;
     bool idle;
     const char *file; // layer L is dumped as file.L.exr; NULL: it is not
@@ -41,6 +41,7 @@ struct Target {
     // The texture is that of another target, of which this is a mip-map level.
     Target *shares;
     int level;
+    bool alias; // no pass draws it, see target_alias
     // What the pass reads: `scale` x `scale` texels of another target for one
     // of its own, and `reach` more to each side along u and v. NULL: the scene.
     Target *reads;
@@ -72,6 +73,22 @@ typedef struct Targets {
 // Adds a target, which has to stay where it is. All of it is wanted from here
 // on. Nothing of OpenGL is made yet.
 void target_add(Targets *targets, Target *target);
+
+// The same, before one that is there: where a technique has passes between.
+void target_add_before(Targets *targets, Target *target, const Target *before);
+
+// The target of a pass that has this name; NULL: there is none.
+Target *targets_find(const Targets *targets, const char *pass);
+
+// A map that a pass makes of each `factor` x `factor` texels of another one.
+Target target_reading(Target *source, const char *pass, int factor);
+
+// What another target is: the same texture, which no pass draws again.
+Target target_alias(Target *of);
+
+// Whatever reads a target of the list reads another one of its size instead, of
+// which it becomes an alias. Its own pass draws nothing any more.
+void target_take_place(Target *target, Target *other);
 
 // The texels that the pass is to draw of a layer in this frame; NULL: nobody
 // wants any of them. For a pass that draws into no framebuffer.

@@ -12,19 +12,37 @@ Target frame_map(const Frame *frame, const char *pass, GLenum format,
                     .sampling = sampling};
 }
 
-void frame_filter(const Frame *frame, GLuint program, GLuint source,
-                  Target *target)
+// On unit 0, by single texels. Returns the sampler.
+static GLuint bind_source(Target *source)
 {
-    glDisable(GL_DEPTH_TEST);
+    Sampling single = source->sampling;
+    single.filter = GL_NEAREST;
+    GLuint texture = target_texture(source);
+    GLuint sampler = gl_sampler(single);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, source);
-    glUniform1i(glGetUniformLocation(program, "map"), 0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    glBindSampler(0, sampler);
+    return sampler;
+}
+
+void frame_filter(const Frame *frame, Program *program, Target *target)
+{
+    GLuint name = 0, sampler = 0;
+    glDisable(GL_DEPTH_TEST);
     for (int layer = 0; layer < target->layers; layer++) {
-        if (target_begin(target, layer)) {
-            glUniform1i(glGetUniformLocation(program, "layer"), layer);
-            gl_draw_fullscreen(frame->empty_vao);
+        if (!target_begin(target, layer)) {
+            continue;
         }
+        if (name == 0) {
+            name = gl_use(program);
+            sampler = bind_source(target->reads);
+            glUniform1i(glGetUniformLocation(name, "map"), 0);
+        }
+        glUniform1i(glGetUniformLocation(name, "layer"), layer);
+        gl_draw_fullscreen(frame->empty_vao);
     }
+    glBindSampler(0, 0);
+    glDeleteSamplers(1, &sampler);
 }
 
 void frame_lap(Frame *frame, const char *name)

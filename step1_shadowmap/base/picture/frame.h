@@ -8,6 +8,8 @@
 #include "step1_shadowmap/base/picture/settings.h" // BaseSettings
 #include "step1_shadowmap/base/system/stopwatch.h" // Stopwatch
 
+enum { TECHNIQUES_MAX = 24 };
+
 // How the picture uses what it looks up; from this base/leave_out derives what
 // cannot change a pixel. All zero: nothing is known.
 typedef struct Lookups {
@@ -37,6 +39,7 @@ typedef struct Frame {
     Shaders shaders;
     Targets targets;
     Lookups lookups;
+    bool technique[TECHNIQUES_MAX]; // of the table's, who takes part
     bool looks_up; // the picture looks maps up, now or in a later frame
     Stopwatch clock;
     GLuint empty_vao; // for passes that cover the whole viewport
@@ -49,11 +52,10 @@ typedef struct Frame {
 Target frame_map(const Frame *frame, const char *pass, GLenum format,
                  Sampling sampling);
 
-// Draws a triangle that covers each wanted layer of the target, with the
-// program in use, which reads the array texture `source` as `map` on unit 0 and
-// knows its `layer`.
-void frame_filter(const Frame *frame, GLuint program, GLuint source,
-                  Target *target);
+// Draws a triangle that covers each wanted layer of the target, with a program
+// that reads single texels of what the target reads: it is `map` there, on unit
+// 0, at far depth outside; and `layer` is the layer.
+void frame_filter(const Frame *frame, Program *program, Target *target);
 
 // The passes since the last call, or since the frame's start, are done: notes
 // their time and what they touched under this name. Nothing if all that they

@@ -4,19 +4,14 @@
 #include <stdlib.h> // free
 #include <string.h> // memcpy, strcmp
 
-#include "step1_shadowmap/base/files/image.h"  // image_write
-#include "step1_shadowmap/base/picture/dump.h" // dump_image
-#include "step1_shadowmap/base/system/die.h"   // die
+#include "step1_shadowmap/base/files/image.h"       // image_write
+#include "step1_shadowmap/base/picture/dump.h"      // dump_image
+#include "step1_shadowmap/base/picture/technique.h" // techniques_create, ...
+#include "step1_shadowmap/base/system/die.h"        // die
 
 enum { MAX_FILES = PROGRAM_MAX_FILES };
 
 const char picture_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
-
-const PictureSource picture_drawn = {
-    .vertex = "step1_shadowmap/shaders/scene.vert",
-    .surface = "step1_shadowmap/shaders/surface.glsl",
-    .steps = "step1_shadowmap/shaders/steps.glsl",
-};
 
 // A spot loses its brightness between this part of its cone and the edge.
 #define BRIGHT_PART 0.8
@@ -70,66 +65,47 @@ static const char *layer_shader(const BaseSettings *settings, LightKind kind)
                                 : "step1_shadowmap/shaders/layer_only.glsl";
 }
 
-static Program *create_program(Frame *frame, const PictureSource *source,
+static Program *create_program(Frame *frame, bool footprint,
                                const char *constants,
                                const char *const visibility[])
 {
     const BaseSettings *settings = &frame->settings;
-    const char *const vertex[] = {source->vertex, NULL};
     const ShowMode *mode = base_show_mode(settings);
-    const char *fragment[MAX_FILES] = {
-        source->surface, "step1_shadowmap/shaders/light_depth.glsl",
-        settings->depth_shader, layer_shader(settings, frame->scene.light.kind),
+    const char *files[MAX_FILES] = {
+        "step1_shadowmap/shaders/scene.vert",
+        "step1_shadowmap/shaders/surface.glsl",
+        "step1_shadowmap/shaders/light_depth.glsl",
+        "step1_shadowmap/shaders/linear_depth.glsl",
+        layer_shader(settings, frame->scene.light.kind),
         "step1_shadowmap/shaders/map_coordinates.glsl"};
-    int count = 5;
-    if (uses_footprint(visibility)) {
-        fragment[count++] = source->steps;
-    }
+    int count = 6;
     for (int i = 0; visibility[i] != NULL; i++) {
-        if (count + 7 > MAX_FILES) {
+        if (count + 6 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
         }
-        fragment[count++] = visibility[i];
+        files[count++] = visibility[i];
     }
     if (mode->scale != NULL) {
-        fragment[count++] = mode->scale;
+        files[count++] = mode->scale;
     }
-    fragment[count++] = mode->shader;
-    if (settings->dump != NULL && !uses_footprint(visibility)) {
-        fragment[count++] = "step1_shadowmap/shaders/footprint_nothing.glsl";
+    files[count++] = mode->shader;
+    if (settings->dump != NULL && !footprint) {
+        files[count++] = "step1_shadowmap/shaders/footprint_nothing.glsl";
     }
-    fragment[count++] = settings->dump == NULL
-                            ? "step1_shadowmap/shaders/dump_nothing.glsl"
-                            : "step1_shadowmap/shaders/dump.glsl";
-    fragment[count] = "step1_shadowmap/shaders/scene.frag";
-    return gl_program(&frame->shaders, constants, vertex, fragment);
+    files[count++] = settings->dump == NULL
+                         ? "step1_shadowmap/shaders/dump_nothing.glsl"
+                         : "step1_shadowmap/shaders/dump.glsl";
+    files[count] = "step1_shadowmap/shaders/scene.frag";
+    return gl_program(&frame->shaders, constants, files);
 }
 
-void picture_create(Picture *picture, Frame *frame, Target *map,
-                    const char *constants, const char *const visibility[])
+// Whether a lookup asks for it, and a row of --plan that says so.
+static void find_footprint(Picture *picture, Frame *frame,
+                           const char *const visibility[])
 {
-    picture_create_from(picture, frame, &picture_drawn, map, constants,
-                        visibility);
-}
-
-void picture_create_from(Picture *picture, Frame *frame,
-                         const PictureSource *source, Target *map,
-                         const char *constants, const char *const visibility[])
-{
-    static const char *const unshadowed[] = {
-        "step1_shadowmap/shaders/unshadowed.glsl", NULL};
-    const BaseSettings *settings = &frame->settings;
-    const char *files[PROGRAM_MAX_FILES + 1];
-    gl_find_files(&frame->shaders, frame->looks_up ? visibility : unshadowed,
-                  files);
-    visibility = files;
-    *picture = (Picture){.map = map, .footprint = uses_footprint(visibility)};
-    picture->target = (Target){.pass = "picture",
-                               .kind = TARGET_PICTURE,
-                               .width = settings->size[0],
-                               .height = settings->size[1],
-                               .layers = 1,
-                               .depth = true};
+    const char *files[MAX_FILES + 1];
+    gl_find_files(&frame->shaders, visibility, files);
+    picture->footprint = uses_footprint(files);
     picture->derivatives =
         (Target){.pass = "derivatives",
                  .kind = TARGET_NOTHING,
@@ -137,10 +113,29 @@ void picture_create_from(Picture *picture, Frame *frame,
                  .why = picture->footprint
                             ? "lookups as wide as a pixel is in the map"
                             : "no lookup asks how wide a pixel is in the map"};
-    choose_outputs(picture, settings);
     target_add(&frame->targets, &picture->derivatives);
+}
+
+void picture_create(Picture *picture, Frame *frame, Target *map,
+                    const char *constants, const char *const visibility[])
+{
+    static const char *const unshadowed[] = {
+        "step1_shadowmap/shaders/unshadowed.glsl", NULL};
+    const BaseSettings *settings = &frame->settings;
+    visibility = frame->looks_up ? visibility : unshadowed;
+    *picture = (Picture){.map = map};
+    picture->target = (Target){.pass = "picture",
+                               .kind = TARGET_PICTURE,
+                               .width = settings->size[0],
+                               .height = settings->size[1],
+                               .layers = 1,
+                               .depth = true};
+    find_footprint(picture, frame, visibility);
+    choose_outputs(picture, settings);
+    techniques_create(frame, picture);
     target_add(&frame->targets, &picture->target);
-    picture->program = create_program(frame, source, constants, visibility);
+    picture->program =
+        create_program(frame, picture->footprint, constants, visibility);
     picture->legend = legend_create(&frame->shaders, base_show_mode(settings),
                                     settings->size[0], settings->size[1]);
 }
@@ -194,8 +189,9 @@ static void clear(const Frame *frame)
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
-GLuint picture_begin(Picture *picture, const Frame *frame)
+GLuint picture_begin(Picture *picture, Frame *frame)
 {
+    techniques_after(frame);
     GLuint program = gl_use(picture->program);
     picture->drawing = target_begin(&picture->target, 0);
     if (picture->drawing) {
@@ -206,21 +202,20 @@ GLuint picture_begin(Picture *picture, const Frame *frame)
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY,
                   frame->looks_up ? target_texture(picture->map) : 0);
+    techniques_look(frame, program);
     return program;
 }
 
-void picture_end(const Picture *picture, const Frame *frame)
+void picture_draw(const Picture *picture, const Frame *frame)
 {
-    legend_draw(&picture->legend, frame->empty_vao);
-}
-
-void picture_draw(Picture *picture, const Frame *frame)
-{
-    if (picture->drawing) {
+    if (!picture->drawing) {
+        return;
+    }
+    if (!techniques_shade(frame, picture)) {
         geometry_draw(&frame->geometry, &frame->scene, &frame->views.seen,
                       frame->views.origin);
-        picture_end(picture, frame);
     }
+    legend_draw(&picture->legend, frame->empty_vao);
 }
 
 // One of the picture's outputs; the caller frees it.

@@ -10,18 +10,6 @@
 // to know how far apart the pixels are in the map.
 extern const char picture_footprint[];
 
-// Where the shading finds what a pixel shows: the vertex shader, the file that
-// defines relative_position, viewer_normal() and albedo, and the one that
-// defines to_right and to_above, which only footprint.glsl needs.
-typedef struct PictureSource {
-    const char *vertex;
-    const char *surface;
-    const char *steps;
-} PictureSource;
-
-// From the rasteriser, while the scene is drawn.
-extern const PictureSource picture_drawn;
-
 typedef struct Picture {
     Target target;      // the picture; with --dump further outputs
     Target derivatives; // across the screen, for --plan
@@ -40,21 +28,13 @@ typedef struct Picture {
 void picture_create(Picture *picture, Frame *frame, Target *map,
                     const char *constants, const char *const visibility[]);
 
-// The same from another source.
-void picture_create_from(Picture *picture, Frame *frame,
-                         const PictureSource *source, Target *map,
-                         const char *constants, const char *const visibility[]);
-
 // Begins a frame's picture: clears it, and uses its program, whose name this
 // returns for the uniforms of visibility(). The map is the shader's shadow_map.
 // Where no picture is wanted nothing is drawn from here on.
-GLuint picture_begin(Picture *picture, const Frame *frame);
+GLuint picture_begin(Picture *picture, Frame *frame);
 
-// Draws the scene with that program, and then what picture_end does.
-void picture_draw(Picture *picture, const Frame *frame);
-
-// Draws the legend.
-void picture_end(const Picture *picture, const Frame *frame);
+// Draws the scene with that program, and then the legend.
+void picture_draw(const Picture *picture, const Frame *frame);
 
 void picture_write(const Picture *picture, const char *path);
 

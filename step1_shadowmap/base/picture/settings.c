@@ -184,8 +184,6 @@ void base_settings(BaseSettings *settings, int step, const char *program,
                                .show = "shaded",
                                .shadows = "on",
                                .splits = 1,
-                               .depth_shader =
-                                   "step1_shadowmap/shaders/linear_depth.glsl",
                                .context = "osmesa"};
     snprintf(settings->default_output, sizeof settings->default_output,
              "out/%s.png", program);

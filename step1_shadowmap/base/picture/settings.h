@@ -27,14 +27,13 @@ typedef struct BaseSettings {
     const char *shaders;        // directory, or NULL
     bool window;
     const char *context;
-    const char *shadows;      // on or off
-    int splits;               // views of a directional light
-    const char *depth_shader; // the formula of t, for map and picture
-    int bench;                // frames to time, or 0
-    const char *move;         // objects that move between frames, or NULL
-    bool plan;                // print what is left out, and why
-    bool keep_all;            // leave nothing out
-    bool redraw;              // draw the map in every frame
+    const char *shadows; // on or off
+    int splits;          // views of a directional light
+    int bench;           // frames to time, or 0
+    const char *move;    // objects that move between frames, or NULL
+    bool plan;           // print what is left out, and why
+    bool keep_all;       // leave nothing out
+    bool redraw;         // draw the map in every frame
 } BaseSettings;
 
 extern const Option base_options[];

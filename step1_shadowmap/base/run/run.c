@@ -3,8 +3,8 @@
 #include <stdarg.h> // va_start
 #include <stdio.h>  // vsnprintf
 
-#include "step1_shadowmap/base/picture/dump.h"  // dump_run, dump_target
-#include "step1_shadowmap/base/run/technique.h" // techniques
+#include "step1_shadowmap/base/picture/dump.h"      // dump_run, dump_target
+#include "step1_shadowmap/base/picture/technique.h" // techniques_check, ...
 
 void run_options(Run *run, int argc, char **argv, int step, const char *program,
                  const ShowMode *more_shows, const OptionTable tables[])
@@ -16,16 +16,9 @@ void run_options(Run *run, int argc, char **argv, int step, const char *program,
     for (; tables->options != NULL; tables++) {
         frame->options[count++] = *tables;
     }
-    for (int i = 0; techniques[i] != NULL; i++) {
-        frame->options[count++] =
-            options_table(techniques[i]->options, techniques[i]->settings);
-    }
+    techniques_join(frame->options, count);
     options_parse(argc, argv, frame->options);
-    for (int i = 0; techniques[i] != NULL; i++) {
-        if (techniques[i]->check != NULL) {
-            techniques[i]->check(frame);
-        }
-    }
+    techniques_check(frame);
 }
 
 void run_begin(Run *run)
@@ -42,9 +35,7 @@ void run_begin(Run *run)
 
 void run_look(Run *run)
 {
-    for (int i = 0; techniques[i] != NULL; i++) {
-        techniques[i]->prepare(&run->frame);
-    }
+    techniques_prepare(&run->frame);
     leave_out_look(&run->left_out, &run->frame);
 }
 
@@ -60,6 +51,7 @@ static bool next_dump(Run *run)
     frame->dump = settings->dump;
     base_prepare_files(&frame->settings, frame->options);
     leave_out_nothing(frame);
+    techniques_before(frame);
     return true;
 }
 
@@ -117,6 +109,7 @@ bool run_next(Run *run, Picture *picture, const char *subject, ...)
     stopwatch_start(&frame->clock);
     leave_out_look(&run->left_out, frame);
     leave_out_begin(&run->left_out, frame);
+    techniques_before(frame);
     return true;
 }
 

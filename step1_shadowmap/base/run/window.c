@@ -11,12 +11,11 @@ static const double PI = 3.14159265358979323846;
 Window window_create(const Context *context, Shaders *shaders,
                      const char *subject)
 {
-    static const char *const vertex[] = {
-        "step1_shadowmap/shaders/fullscreen.vert", NULL};
-    static const char *const fragment[] = {
+    static const char *const files[] = {
+        "step1_shadowmap/shaders/fullscreen.vert",
         "step1_shadowmap/shaders/present.frag", NULL};
     Window window = {.context = context,
-                     .present = gl_program(shaders, NULL, vertex, fragment)};
+                     .present = gl_program(shaders, NULL, files)};
     snprintf(window.subject, sizeof window.subject, "%s", subject);
     puts("h prints what the keys do in the window");
     printed_check();

@@ -295,16 +295,46 @@ void options_parse(int argc, char **argv, OptionTable tables[])
     }
 }
 
-bool options_given(const OptionTable tables[], const char *name)
+// The table that has an option, and where; NULL: none has.
+static const OptionTable *table_of(const OptionTable tables[], const char *name,
+                                   int *index)
 {
     for (const OptionTable *table = tables; table->options; table++) {
         for (int i = 0; table->options[i].name; i++) {
             if (strcmp(table->options[i].name, name) == 0) {
-                return table->given[i];
+                *index = i;
+                return table;
             }
         }
     }
-    return false;
+    return NULL;
+}
+
+bool options_given(const OptionTable tables[], const char *name)
+{
+    int index = 0;
+    const OptionTable *table = table_of(tables, name, &index);
+    return table != NULL && table->given[index];
+}
+
+void *options_value(const OptionTable tables[], const char *name)
+{
+    int index = 0;
+    const OptionTable *table = table_of(tables, name, &index);
+    return table == NULL ? NULL : value_of(table, &table->options[index]);
+}
+
+bool options_on(const OptionTable tables[], const char *flag)
+{
+    const bool *value = options_value(tables, flag);
+    return value != NULL && *value;
+}
+
+bool options_is(const OptionTable tables[], const char *name,
+                const char *choice)
+{
+    const char *const *value = options_value(tables, name);
+    return value != NULL && strcmp(*value, choice) == 0;
 }
 
 void options_write_json(FILE *file, const OptionTable tables[])

@@ -5,7 +5,7 @@
 #include <glad/gl.h> // glFinish
 #include <stdio.h>   // printf
 #include <stdlib.h>  // free, qsort
-#include <string.h>  // memcpy
+#include <string.h>  // memcpy, strcmp
 #include <time.h>    // clock_gettime
 
 #include "step1_shadowmap/base/system/die.h"     // allocate, complain, die
@@ -37,16 +37,24 @@ void stopwatch_start(Stopwatch *stopwatch)
 void stopwatch_lap(Stopwatch *stopwatch, const char *name, Touched touched)
 {
     glFinish();
-    int pass = stopwatch->pass++;
+    int pass = 0;
+    while (pass < stopwatch->pass && strcmp(stopwatch->name[pass], name) != 0) {
+        pass++;
+    }
     if (pass == STOPWATCH_MAX_PASSES) {
         die("more than %d passes to time", STOPWATCH_MAX_PASSES);
     }
     double time = now();
-    stopwatch->name[pass] = name;
-    stopwatch->touched[pass] = touched;
-    stopwatch->milliseconds[pass][stopwatch->frames - 1] =
-        time - stopwatch->started;
-    stopwatch->passes = stopwatch->pass;
+    double *lap = &stopwatch->milliseconds[pass][stopwatch->frames - 1];
+    if (pass == stopwatch->pass) {
+        stopwatch->passes = ++stopwatch->pass;
+        stopwatch->name[pass] = name;
+        stopwatch->touched[pass] = (Touched){0, 0};
+        *lap = 0;
+    }
+    stopwatch->touched[pass].texels += touched.texels;
+    stopwatch->touched[pass].bytes += touched.bytes;
+    *lap += time - stopwatch->started;
     stopwatch->started = time;
 }
 

@@ -38,7 +38,8 @@ typedef struct Stopwatch {
 // After STOPWATCH_MAX_FRAMES the last frame is measured again.
 void stopwatch_start(Stopwatch *stopwatch);
 
-// Waits for OpenGL, records the lap under `name` and starts the next one.
+// Waits for OpenGL, records the lap under `name` and starts the next one. Laps
+// of one name in a frame are added up.
 // Without the wait the clock would measure how fast commands are queued.
 void stopwatch_lap(Stopwatch *stopwatch, const char *name, Touched touched);
 

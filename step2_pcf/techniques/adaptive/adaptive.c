@@ -1,5 +1,5 @@
 #include "step1_shadowmap/base/picture/picture.h" // picture_footprint
-#include "step1_shadowmap/base/run/technique.h"
+#include "step1_shadowmap/base/picture/technique.h"
 
 static struct {
     bool asked; // n is the pixel's own, up to --kernel
@@ -15,19 +15,23 @@ static const Option options[] = {
 
 // In place of the lesson's filter or, where another technique has taken that
 // place, of its width.
-static void prepare(Frame *frame)
+static bool prepare(Frame *frame)
 {
     static const char *const width[] = {
-        picture_footprint, "step1_shadowmap/shaders/ellipse.glsl",
+        "step1_shadowmap/shaders/steps.glsl", picture_footprint,
+        "step1_shadowmap/shaders/ellipse.glsl",
         "step2_pcf/techniques/adaptive/width_adaptive.glsl", NULL};
     static const char *const filter[] = {
         "step2_pcf/techniques/adaptive/width_fixed.glsl",
         "step2_pcf/techniques/adaptive/pcf_adaptive.glsl", NULL};
-    if (settings.asked) {
-        gl_put_instead(&frame->shaders, "step2_pcf/shaders/pcf.glsl", filter);
-        gl_put_instead(&frame->shaders, filter[0], width);
-        frame->lookups.kernel = 0;
+    if (!settings.asked) {
+        return false;
     }
+    gl_put_instead(&frame->shaders, "step2_pcf/shaders/pcf.glsl", filter);
+    gl_put_instead(&frame->shaders, filter[0], width);
+    frame->lookups.kernel = 0;
+    return true;
 }
 
-const Technique pcf_adaptive = {options, &settings, NULL, prepare};
+const Technique pcf_adaptive = {
+    .options = options, .settings = &settings, .prepare = prepare};

@@ -1,4 +1,4 @@
-#include "step1_shadowmap/base/run/technique.h"
+#include "step1_shadowmap/base/picture/technique.h"
 
 static struct {
     bool asked; // each tap is a weighted mean of 2 x 2 comparisons
@@ -12,15 +12,18 @@ static const Option options[] = {
 };
 
 // No pattern but the lesson's is known to keep a lone plane lit.
-static void prepare(Frame *frame)
+static bool prepare(Frame *frame)
 {
     static const char *const files[] = {
         "step2_pcf/techniques/adaptive/width_fixed.glsl",
         "step2_pcf/techniques/bilinear/pcf_bilinear.glsl", NULL};
-    if (settings.asked) {
-        gl_put_instead(&frame->shaders, "step2_pcf/shaders/pcf.glsl", files);
-        frame->lookups.kernel = 0;
+    if (!settings.asked) {
+        return false;
     }
+    gl_put_instead(&frame->shaders, "step2_pcf/shaders/pcf.glsl", files);
+    frame->lookups.kernel = 0;
+    return true;
 }
 
-const Technique pcf_bilinear = {options, &settings, NULL, prepare};
+const Technique pcf_bilinear = {
+    .options = options, .settings = &settings, .prepare = prepare};

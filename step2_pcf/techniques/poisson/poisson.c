@@ -1,6 +1,6 @@
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/run/technique.h"
+#include "step1_shadowmap/base/picture/technique.h"
 #include "step1_shadowmap/base/system/die.h" // die_usage
 
 static struct {
@@ -21,7 +21,7 @@ static bool is_asked(void)
     return strcmp(settings.pattern, "poisson") == 0;
 }
 
-static void check(const Frame *frame)
+static void check(Frame *frame)
 {
     if (is_asked() && options_given(frame->options, "bilinear")) {
         die_usage("--bilinear weights the taps of a grid, and --pattern "
@@ -29,16 +29,21 @@ static void check(const Frame *frame)
     }
 }
 
-static void prepare(Frame *frame)
+static bool prepare(Frame *frame)
 {
     static const char *const files[] = {
         "step2_pcf/techniques/adaptive/width_fixed.glsl",
         "step2_pcf/techniques/poisson/poisson_disc.glsl",
         "step2_pcf/techniques/poisson/pcf_poisson.glsl", NULL};
-    if (is_asked()) {
-        gl_put_instead(&frame->shaders, "step2_pcf/shaders/pcf.glsl", files);
-        frame->lookups.kernel = 0;
+    if (!is_asked()) {
+        return false;
     }
+    gl_put_instead(&frame->shaders, "step2_pcf/shaders/pcf.glsl", files);
+    frame->lookups.kernel = 0;
+    return true;
 }
 
-const Technique pcf_poisson = {options, &settings, check, prepare};
+const Technique pcf_poisson = {.options = options,
+                               .settings = &settings,
+                               .check = check,
+                               .prepare = prepare};

@@ -1,0 +1,9 @@
+// The techniques of step 3.
+#include "step1_shadowmap/base/picture/technique.h"
+
+extern const Technique moments_half, moments_central, moments_projected,
+    moments_msaa, moments_slope;
+
+const Technique *const techniques[] = {&moments_half,      &moments_central,
+                                       &moments_projected, &moments_msaa,
+                                       &moments_slope,     NULL};

@@ -1,0 +1,12 @@
+// The techniques of step 4, after those of step 3.
+#include "step1_shadowmap/base/picture/technique.h"
+
+extern const Technique moments_half, moments_central, moments_projected,
+    moments_msaa, moments_slope, blur_kernels, blur_central, blur_mips,
+    blur_sat;
+
+const Technique *const techniques[] = {&moments_half,      &moments_central,
+                                       &moments_projected, &moments_msaa,
+                                       &moments_slope,     &blur_kernels,
+                                       &blur_central,      &blur_mips,
+                                       &blur_sat,          NULL};

@@ -1,0 +1,9 @@
+// In place of the lesson's visibility.glsl, where other files know what a texel
+// holds and what rounding has done to it.
+
+float visibility(Receiver receiver)
+{
+    vec2 depths = guarded(moments_at(receiver), receiver);
+    return reduce_bleeding(
+        chebyshev(depths.x, biased(depths.y), receiver.depth));
+}

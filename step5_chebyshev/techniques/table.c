@@ -1,0 +1,24 @@
+// The techniques of step 5, after those of steps 3 and 4.
+#include "step1_shadowmap/base/picture/technique.h"
+
+extern const Technique moments_half, moments_central, moments_projected,
+    moments_msaa, moments_slope, blur_kernels, blur_central, blur_mips,
+    blur_sat, chebyshev_guarded, chebyshev_variance_bias, chebyshev_smooth,
+    chebyshev_sat_width, chebyshev_soft, chebyshev_deferred;
+
+const Technique *const techniques[] = {&moments_half,
+                                       &moments_central,
+                                       &moments_projected,
+                                       &moments_msaa,
+                                       &moments_slope,
+                                       &blur_kernels,
+                                       &blur_central,
+                                       &blur_mips,
+                                       &blur_sat,
+                                       &chebyshev_guarded,
+                                       &chebyshev_variance_bias,
+                                       &chebyshev_smooth,
+                                       &chebyshev_sat_width,
+                                       &chebyshev_soft,
+                                       &chebyshev_deferred,
+                                       NULL};
