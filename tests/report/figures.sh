@@ -24,7 +24,7 @@ panel() {
     "$build/$drawn" --size 640x360 --output "$dump/$name.png" "$@" >"$dump/log"
 }
 
-# join FILE NAME...: the panels side by side, two in a row, at half their size.
+# join FILE PANEL...: the panels side by side, two in a row, at half their size.
 join() {
     file=$1
     shift
@@ -35,15 +35,22 @@ join() {
     echo "$file"
 }
 
+# technique NAME PANEL...: the picture of a technique of this step.
+technique() {
+    name=$1
+    shift
+    join "$program/techniques/$name/picture.png" "$@"
+}
+
 drawn=$program
 case $program in
 step1_shadowmap)
     panel spot --scene stage
     panel layers --scene room --show layer
-    join "$program/technique_lights.png" spot layers
+    technique lights spot layers
     panel one --scene avenue --map-size 256
     panel four --scene avenue --map-size 256 --splits 4
-    join "$program/technique_splits.png" one four
+    technique splits one four
     ;;
 step2_pcf)
     drawn=step1_shadowmap
@@ -53,13 +60,13 @@ step2_pcf)
     join "$program/bias.png" acne panning
     panel grid --map-size 128 --kernel 3
     panel bilinear --map-size 128 --kernel 3 --bilinear
-    join "$program/techniques/bilinear/picture.png" grid bilinear
+    technique bilinear grid bilinear
     panel grid --map-size 256 --kernel 15
     panel disc --map-size 256 --kernel 15 --pattern poisson
-    join "$program/techniques/poisson/picture.png" grid disc
+    technique poisson grid disc
     panel narrow --scene fence --map-size 2048 --kernel 3
     panel adaptive --scene fence --map-size 2048 --kernel 31 --adaptive
-    join "$program/techniques/adaptive/picture.png" narrow adaptive
+    technique adaptive narrow adaptive
     ;;
 step3_moments)
     "$build/fuzz" --count 20000 --csv >"$dump/fuzz.csv"
