@@ -69,25 +69,28 @@ step2_pcf)
     technique adaptive narrow adaptive
     ;;
 step3_moments)
+    central=$program/techniques/central/picture.png
     "$build/fuzz" --count 20000 --csv >"$dump/fuzz.csv"
-    gnuplot -e "kind='png'; input='$dump/fuzz.csv'" \
-        -e "output='$program/technique_central.png'" tests/stability/fuzz.gp
-    echo "$program/technique_central.png"
+    gnuplot -e "kind='png'; input='$dump/fuzz.csv'; output='$central'" \
+        tests/stability/fuzz.gp
+    echo "$central"
     drawn=step5_chebyshev
-    bare='--moments raw --map-size 256 --radius 0 --min-variance 0
-        --bleed-reduction 0'
+    bare='--moments raw --map-size 256 --radius 0 --min-variance 0'
     # shellcheck disable=SC2086 # a list of words
     {
         panel flat --scene teapot:elevation=20 $bare
         panel slope --scene teapot:elevation=20 $bare --slope-term
     }
-    join "$program/technique_slope.png" flat slope
+    technique slope flat slope
     panel linear --scene stage --show mean
     panel projected --scene stage --show mean --depth projected
-    join "$program/technique_depth.png" linear projected
+    technique projected linear projected
     panel texels --scene fence --map-size 128 --radius 1
     panel samples --scene fence --map-size 128 --radius 1 --msaa 4
-    join "$program/technique_msaa.png" texels samples
+    technique msaa texels samples
+    panel raw --scene edge:gap=0.03 --format rg16f --moments raw
+    panel half --scene edge:gap=0.03 --format rg16f
+    technique half raw half
     ;;
 step4_blur)
     drawn=step5_chebyshev
