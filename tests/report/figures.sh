@@ -94,18 +94,24 @@ step3_moments)
     ;;
 step4_blur)
     drawn=step5_chebyshev
-    fence='--scene fence --map-size 2048 --radius'
+    panel none --blur none
+    panel box --radius 24
+    panel boxes --radius 24 --blur boxes
+    panel gaussian --radius 24 --blur gaussian
+    technique kernels none box boxes gaussian
+    fence='--scene fence --map-size 2048 --radius 1'
+    taps='--mips --anisotropy 16'
     # shellcheck disable=SC2086 # a list of words
     {
-        panel plain $fence 1
-        panel mips $fence 1 --mips
-        panel anisotropy $fence 1 --mips --anisotropy 16
-        panel sat $fence 4 --sat
+        panel plain $fence
+        panel mips $fence --mips
+        panel explicit $fence $taps
+        panel hardware $fence $taps --sampler hardware
     }
-    join "$program/technique_filters.png" plain mips anisotropy sat
-    panel boxes --blur boxes --radius 24
-    panel gaussian --blur gaussian --radius 24
-    join "$program/technique_boxes.png" boxes gaussian
+    technique mips plain mips explicit hardware
+    panel fragments --radius 31 --blur-by fragments
+    panel sat --radius 31 --sat
+    technique sat fragments sat
     ;;
 step5_chebyshev)
     panel nothing --scene edge:gap=0.03 --min-variance 0
