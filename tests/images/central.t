@@ -98,7 +98,7 @@ for my $moments (qw(raw central)) {
 
 # Both say the same about a teapot: means within 16 roundings of the blur, and
 # variances within the bound of raw ones, K M2 with K = 45 u of a box of 7 x 7
-# (step5_chebyshev/techniques/guard/guard.h) and what the shader's own difference rounds.
+# (proof.md of step 5's guard) and what the shader's own difference rounds.
 my ( $raw, $central ) =
   map { dump_run( 4, @small, '--moments', $_ ) . '/blurred.0.exr' }
   qw(raw central);
@@ -137,7 +137,7 @@ for my $options (
 }
 
 # The same of the formulas alone, step 5's own numbers among them, as the table
-# in step 5's techniques.md has it.
+# in the guard's README has it.
 my $fuzz = ( $ENV{VSM_BUILD} // root() . '/build' ) . '/fuzz';
 my %left;    # by format, moments, gap
 for ( split /\n/, command( $fuzz, '--shadows' )->{out} ) {
@@ -146,9 +146,9 @@ for ( split /\n/, command( $fuzz, '--shadows' )->{out} ) {
 }
 cmp_ok( $left{'fp32 central'}{$_}, '<=', 1 / 255, "gap $_: auto leaves" )
   for qw(1e-01 1e-02);
-my $words = slurp( root() . '/step5_chebyshev/techniques.md' );
+my $words = slurp( root() . '/step5_chebyshev/techniques/guard/README.md' );
 my @rows  = $words =~ /^ *\| (1e-\d(?: \| [\d.e-]+){4}) \|$/mg;
-is( scalar @rows, 6, 'six gaps in the table of techniques.md' );
+is( scalar @rows, 6, 'six gaps in the table' );
 for (@rows) {
     my ( $gap, @table ) = split / \| /;
     my @found = map { $left{$_}{ $gap =~ s/-/-0/r } } 'fp32 central',

@@ -1,6 +1,6 @@
 // What rounding does to a mean and a variance on their way from the map to the
 // bound, and what --min-variance auto adds against it: the formulas that
-// step5_chebyshev/techniques/guard/guard.h derives, in double.
+// step5_chebyshev/techniques/guard/proof.md derives, in double.
 #ifndef ORACLE_GUARD_H
 #define ORACLE_GUARD_H
 

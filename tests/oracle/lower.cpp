@@ -80,7 +80,7 @@ static double variance_seen(const std::vector<Picture> &samples,
 
 // How far rounding can pull p below what exact arithmetic gives, and exact
 // arithmetic gives at least `lit` (Cantelli). With auto: not at all, but for
-// the formula's last operations (step5_chebyshev/techniques/guard/guard.h).
+// the formula's last operations (proof.md of step 5's guard).
 static double bound_of_auto(const Formula &formula)
 {
     return formula.guard.promises ? rounding_share(12) + OWN_ROUNDING

@@ -119,7 +119,7 @@ struct SpreadLookup {
     {
         return rounded_once(merged({{1 - part, fine}, {part, coarse}}));
     }
-    // Of n taps about the first, see step5_chebyshev/techniques/guard/guard.h.
+    // Of n taps about the first, see proof.md of step 5's guard.
     Value averaged(const std::vector<Value> &taps) const
     {
         double n = double(taps.size());

@@ -38,8 +38,8 @@ Spread bilinear_spread(const Picture &map, double x, double y)
                    {wx * wy, spread_at(map, i + 1, j + 1)}});
 }
 
-// Of step5_chebyshev/techniques/guard/guard.h: 8 roundings of a sum of positive terms; the mean
-// by one of itself and three of the deviation.
+// As in proof.md of step 5's guard: 8 roundings of a sum of positive terms; the
+// mean by one of itself and three of the deviation.
 Spread rounded_once(const Spread &exact)
 {
     double deviation = std::sqrt(std::max(exact.variance.hi, 0.0));

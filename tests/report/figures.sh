@@ -118,18 +118,27 @@ step5_chebyshev)
     panel least --scene edge:gap=0.03
     panel constant --scene avenue --min-variance 1e-3
     panel proven --scene avenue
-    join "$program/technique_min_variance.png" nothing least constant proven
-    panel fixed --map-size 256 --radius 7 --sat
-    panel adaptive --map-size 256 --radius 7 --sat --sat-width adaptive
-    join "$program/technique_sat_width.png" fixed adaptive
-    panel forward
-    panel deferred --deferred
-    join "$program/technique_deferred.png" forward deferred
+    technique guard nothing least constant proven
     panel fixed --scene teapot:elevation=25 --radius 8
     panel soft --scene teapot:elevation=25 --soft --light-size 0.2
-    join "$program/technique_soft.png" fixed soft
-    panel bound --scene bleed:r=4 --soft --bleed-reduction 0
+    panel bound --scene bleed:r=4 --soft
     panel hybrid --scene bleed:r=4 --soft --hybrid
-    join "$program/technique_hybrid.png" bound hybrid
+    technique soft fixed soft bound hybrid
+    panel forward
+    panel deferred --deferred
+    technique deferred forward deferred
+    panel fixed --map-size 256 --radius 7 --sat
+    panel adaptive --map-size 256 --radius 7 --sat --sat-width adaptive
+    technique sat_width fixed adaptive
+    reduced='--scene bleed --radius 30 --bleed-reduction 0.3'
+    # shellcheck disable=SC2086 # a list of words
+    {
+        panel linear $reduced
+        panel smooth $reduced --reduction smooth
+    }
+    technique smooth linear smooth
+    panel unbiased --scene edge:gap=0.03
+    panel biased --scene edge:gap=0.03 --variance-bias 1e-3
+    technique variance_bias unbiased biased
     ;;
 esac

@@ -1,8 +1,8 @@
 // How wrong the bound p can be, and what the minimum variance has to be so that
-// p never falls below the lit share. step5_chebyshev/techniques/guard/guard.h has the proof and
-// the names (u, s, e, q, h, E, K, L, R, F, G); this is the same once more, in
-// other code, for one window of depths at a time. Where more is known here, the
-// bound is sharper:
+// p never falls below the lit share. The proof and the names (u, s, e, q, h, E,
+// K, L, R, F, G) are in step5_chebyshev/techniques/guard/proof.md; this is the
+// same once more, in other code, for one window of depths at a time. Where more
+// is known here, the bound is sharper:
 // - |q| is measured, and A is the largest depth of the window and not 1;
 // - a chain may end without a lookup: then its last merge's mean is stored, and
 //   F leaves out that store as well.

@@ -54,7 +54,7 @@ typedef struct Window {
     float t; // the receiver's depth
 } Window;
 
-// What the minimum variance `auto` adds; guard.h derives it. All 0: nothing.
+// What the minimum variance `auto` adds; proof.md derives it. All 0: nothing.
 typedef struct Guard {
     float variance;   // raw: of M2; central: of sqrt(M2), to the deviation
     float deviation;  // central: of the deviation

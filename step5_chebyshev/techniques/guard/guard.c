@@ -33,7 +33,7 @@ void guard_add_bilinear(GuardChain *chain)
     }
 }
 
-// The sums and products of guard.h. Whatever was computed may be smaller than
+// The sums and products of proof.md. Whatever was computed may be smaller than
 // what is exact, by all the errors together: hence `more`.
 static ChainNumbers raw_numbers(const GuardChain *chain)
 {
