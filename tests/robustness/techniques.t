@@ -1,6 +1,6 @@
 # The README's table of techniques promises an option, a step and a test for
 # each: that they exist, that the step says something about it, and that the
-# test uses the option.
+# test uses the option. A technique's folder says what it is for and shows it.
 use strict;
 use warnings;
 
@@ -41,6 +41,17 @@ for my $row (@rows) {
         "$name: $test uses $flag" );
     like( slurp($file), qr/\b$value\b/, "$name: $test uses $value" )
       if defined $value;
+}
+
+for my $folder ( grep { -d } matching( root(), 'step*/techniques/*' ) ) {
+    my ( $all, $name ) = $folder =~ m{(.*)/(.*)};
+    my ( $readme, $list ) = map { -e $_ ? slurp($_) : '' }
+      map { "$_/README.md" } $folder, $all;
+    like( $list, qr/\]\(\Q$name\E\/\)/, "$name: in its step's list" );
+    like( $readme, qr/^# .*`--/, "$name: its README begins with an option" );
+    like( $readme, qr/^!\[.+\]\(picture[.]png\)$/m, "$name: and a picture" );
+    like( $readme, qr/^\* \*\*$_\*\* /m, "$name: and says: $_" )
+      for qw(Cures Costs Not);
 }
 
 done_testing;
