@@ -354,7 +354,7 @@ my %mutants = (
         'Merge(heaviest.x, 0.0, 0.0)', 'Merge(0.0, 0.0, 0.0)'
     ],
     'merged about a tap at the rim' => [
-        'central', 'step4_blur/techniques/central/blur_central.frag',
+        'central', 'step4_blur/techniques/shared/blur_central.frag',
         'map_texel(middle))', 'map_texel(middle - sides.x * axis))'
     ],
     'a mean that is not moved back' => [

@@ -55,12 +55,11 @@ for (
     [ 5, 'derivatives',          'kept', '--mips' ],
     [ 5, 'maps in later frames', 'left out' ],
     [ 5, 'maps in later frames', 'kept', '--redraw' ],
-    [ 5, 'G-buffer',             'left out' ],
     [ 5, 'G-buffer',             'kept', '--deferred' ],
     [ 5, 'summed-area table',    'kept', '--sat' ],
     [ 5, 'blur',                 'left out', '--sat' ],
-    [ 5, 'blur',                 'left out', qw(--radius 0) ],
-    [ 4, 'mip-map levels',       'left out' ],
+    [ 5, 'central moments',      'left out' ],
+    [ 5, 'central moments',      'kept', '--mips' ],
   )
 {
     my ( $step, $pass, $decision, @options ) = @$_;
@@ -69,6 +68,11 @@ for (
     like( $run->{out}, qr/^\Q$pass\E +$decision +\d+ +\d+  \S/m,
         "step $step @options: $pass is $decision" );
 }
+
+# What nobody asked for is no row.
+my $rows = run_warm( 5, @small, qw(--plan --radius 0) )->{out};
+unlike( $rows, qr/^(?:$_)/m, "step 5: no row for $_" )
+  for 'G-buffer', 'blur', 'downsampling', 'mip-map levels';
 
 # Steps 1 and 2 do not draw the floor below all that the camera sees. Moments
 # need it, and so does a bias that pushes what is seen behind it.

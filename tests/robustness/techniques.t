@@ -43,10 +43,15 @@ for my $row (@rows) {
       if defined $value;
 }
 
+# What several share is no technique of its own, and says so.
 for my $folder ( grep { -d } matching( root(), 'step*/techniques/*' ) ) {
     my ( $all, $name ) = $folder =~ m{(.*)/(.*)};
     my ( $readme, $list ) = map { -e $_ ? slurp($_) : '' }
       map { "$_/README.md" } $folder, $all;
+    if ( $name eq 'shared' ) {
+        like( $readme, qr/^No technique of its own/m, "$folder: says so" );
+        next;
+    }
     like( $list, qr/\]\(\Q$name\E\/\)/, "$name: in its step's list" );
     like( $readme, qr/^# .*`--/, "$name: its README begins with an option" );
     like( $readme, qr/^!\[.+\]\(picture[.]png\)$/m, "$name: and a picture" );

@@ -24,7 +24,7 @@ my @CLOSE   = qw(max=0.004 share=0.001);    # rounding to 8 bits may differ
 my %STEPS = (
     1 => [ 'map 512x512',  'step1_shadowmap/shaders/hard.glsl', 'texel' ],
     2 => [ 'kernel 7',     'step2_pcf/shaders/pcf.glsl',        'radius' ],
-    3 => [ 'format rg32f', 'step3_moments/shaders/moments.frag', 'depth' ],
+    3 => [ 'map 512x512', 'step3_moments/shaders/moments.frag', 'depth' ],
     4 => [ 'radius 3',     'step4_blur/shaders/blur.frag',      'weights' ],
     5 => [ 'radius 3', 'step5_chebyshev/shaders/chebyshev.glsl', 'variance' ],
 );

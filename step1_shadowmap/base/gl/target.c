@@ -18,14 +18,8 @@ static size_t samples_of(const Target *target)
     return target->kind == TARGET_SAMPLES ? (size_t)target->samples : 1;
 }
 
-// What `reads` says, and that all is wanted.
-static void begin_target(Target *target)
+static void want_all(Target *target)
 {
-    if (target->reads != NULL) {
-        target->read_bytes = (size_t)(target->scale * target->scale) *
-                             samples_of(target->reads) *
-                             target_texel_bytes(target->reads);
-    }
     for (int layer = 0; layer < target->layers; layer++) {
         target->layer[layer].wanted = rect_whole(target->width, target->height);
         target->layer[layer].draw = true;
@@ -41,7 +35,7 @@ static void insert(Targets *targets, int place, Target *target)
             sizeof targets->list[0] * (size_t)(targets->count - place));
     targets->list[place] = target;
     targets->count++;
-    begin_target(target);
+    want_all(target);
 }
 
 void target_add(Targets *targets, Target *target)
@@ -97,7 +91,7 @@ void target_take_place(Target *target, Target *other)
     *target = target_alias(other);
     target->file = file;
     target->looked_up = looked_up;
-    begin_target(target);
+    want_all(target);
 }
 
 static void make_layers(Target *target)
@@ -191,6 +185,20 @@ GLuint target_texture(Target *target)
     return target->textures[0];
 }
 
+// Of each texel: those that are written, and those that are read for it.
+static size_t touched_bytes(const Target *target)
+{
+    size_t bytes = target_texel_bytes(target) + target->read_bytes;
+    if (target->depth) {
+        bytes += gl_texel_bytes(GL_DEPTH_COMPONENT32F);
+    }
+    if (target->reads != NULL) {
+        bytes += (size_t)(target->scale * target->scale) *
+                 samples_of(target->reads) * target_texel_bytes(target->reads);
+    }
+    return bytes;
+}
+
 const Rect *target_wanted(Target *target, int layer)
 {
     const Rect *wanted = &target->layer[layer].wanted;
@@ -198,9 +206,8 @@ const Rect *target_wanted(Target *target, int layer)
         return NULL;
     }
     target_texture(target);
-    size_t depth = target->depth ? gl_texel_bytes(GL_DEPTH_COMPONENT32F) : 0;
     touch(&target->touched, samples_of(target) * rect_texels(wanted),
-          target_texel_bytes(target) + depth + target->read_bytes);
+          touched_bytes(target));
     return wanted;
 }
 

@@ -46,7 +46,7 @@ struct Target {
     // of its own, and `reach` more to each side along u and v. NULL: the scene.
     Target *reads;
     int scale, reach[2];
-    size_t read_bytes; // for each texel; target_add knows them
+    size_t read_bytes; // for each texel, besides
     int looked_up;     // texels that the picture reads to each side; 0: none
 
     // What base/leave_out decides of each layer: the texels that are wanted,

@@ -6,11 +6,11 @@ static bool prepare(Frame *frame)
     static const char *const blur[] = {
         "step3_moments/techniques/shared/merge_raw.glsl",
         "step3_moments/techniques/shared/store_float.glsl",
-        "step4_blur/techniques/central/blur_central.frag", NULL};
+        "step4_blur/techniques/shared/blur_central.frag", NULL};
     static const char *const downsample[] = {
         "step3_moments/techniques/shared/merge_raw.glsl",
         "step3_moments/techniques/shared/store_float.glsl",
-        "step4_blur/techniques/central/downsample_central.frag", NULL};
+        "step4_blur/techniques/shared/downsample_central.frag", NULL};
     if (!options_is(frame->options, "moments", "central")) {
         return false;
     }
