@@ -60,13 +60,13 @@ void shadow_map_create(ShadowMap *map, Frame *frame, int reach)
     target_add(&frame->targets, &map->target);
 }
 
-bool shadow_map_draw_layer(Target *target, Program *map_program,
+void shadow_map_draw_layer(Target *target, Program *map_program,
                            const Frame *frame, int layer)
 {
     static const float far_depth = 1;
     const Views *views = &frame->views;
     if (!target_begin(target, layer)) {
-        return false;
+        return;
     }
     GLuint program = gl_use(map_program);
     glEnable(GL_DEPTH_TEST);
@@ -79,7 +79,6 @@ bool shadow_map_draw_layer(Target *target, Program *map_program,
     geometry_draw_shapes(&frame->geometry, &frame->scene,
                          &views->light[layer].seen, views->origin);
     glDisable(GL_DEPTH_CLAMP);
-    return true;
 }
 
 void shadow_map_draw(ShadowMap *map, const Frame *frame)

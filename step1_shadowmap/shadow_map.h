@@ -33,9 +33,9 @@ void shadow_map_create(ShadowMap *map, Frame *frame, int reach);
 void shadow_map_draw(ShadowMap *map, const Frame *frame);
 
 // Draws the scene, as the light sees it in one layer, into a target, unless
-// nobody wants that layer: false. What nothing covers is at far depth. The
+// nobody wants that layer. What nothing covers is at far depth. The
 // program writes what the target keeps of map_depth().
-bool shadow_map_draw_layer(Target *target, Program *program, const Frame *frame,
+void shadow_map_draw_layer(Target *target, Program *program, const Frame *frame,
                            int layer);
 
 #endif

@@ -125,14 +125,14 @@ static void dump_layer(const Frame *frame, int layer)
 // With --dump sample S of layer L becomes samples.L.S.exr.
 static void draw_layer(const Frame *frame, int layer)
 {
-    bool drawn =
-        shadow_map_draw_layer(&state.samples, state.program, frame, layer);
-    if (drawn && target_begin(&state.texels, layer)) {
-        GLuint program = gl_use(state.resolve);
-        glUniform1i(glGetUniformLocation(program, "count"), settings.count);
-        draw_texels(frame, program);
+    shadow_map_draw_layer(&state.samples, state.program, frame, layer);
+    if (!target_begin(&state.texels, layer)) {
+        return;
     }
-    if (drawn && frame->dump != NULL) {
+    GLuint program = gl_use(state.resolve);
+    glUniform1i(glGetUniformLocation(program, "count"), settings.count);
+    draw_texels(frame, program);
+    if (frame->dump != NULL) {
         dump_layer(frame, layer);
     }
 }
