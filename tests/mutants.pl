@@ -242,7 +242,7 @@ my %mutants = (
         'F_GETFD) == -1', 'F_GETFD) == -2'
     ],
     'times of a map that is kept, without a word' => [
-        'robustness/printed', 'step1_shadowmap/base/system/stopwatch.c',
+        'robustness/printed', 'step1_shadowmap/base/bench/bench.c',
         'touched[0].texels == 0', 'touched[0].texels == 1'
     ],
     'a picture that nobody asked for' => [

@@ -38,7 +38,9 @@ for my $room (@rooms) {
 
 # leave_out's names, by its own headers.
 my %names;
-for my $header ( bsd_glob( root() . "/$base/leave_out/*.h" ) ) {
+for my $header ( bsd_glob( root() . "/$base/leave_out/*.h" ),
+    root() . "/$base/run/extras.h" )
+{
     my $text = slurp($header) =~ s{//.*}{}gr;
     $names{$_} = 1 for $text =~ /\b([a-z]\w+)\(/g, $text =~ /^\} (\w+);/mg;
 }

@@ -1,11 +1,58 @@
 #include "step1_shadowmap/base/leave_out/leave_out.h"
 
-#include <math.h> // INFINITY
+#include <math.h>   // INFINITY
+#include <string.h> // strcmp
 
 #include "step1_shadowmap/base/leave_out/casters.h"    // casters_list
 #include "step1_shadowmap/base/leave_out/lone_plane.h" // lone_plane_is_lit
 #include "step1_shadowmap/base/leave_out/receivers.h"  // receivers_find
 #include "step1_shadowmap/base/leave_out/stamp.h"      // stamp_add
+#include "step1_shadowmap/base/system/die.h"           // die_usage
+
+static LeaveOut state = {.shadows = "on"};
+
+static const Option options[] = {
+    {.name = "plan",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(LeaveOut, plan),
+     .help = "print each pass, whether it is kept or left out, and why"},
+    {.name = "keep-all",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(LeaveOut, keep_all),
+     .help = "leave nothing out: draw every map, all of it, in every frame"},
+    {.name = "redraw",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(LeaveOut, redraw),
+     .help = "draw what is kept of the maps in every frame, not only when "
+             "something has changed"},
+    {.name = "shadows",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(LeaveOut, shadows),
+     .choices = "on,off",
+     .help = "off: the same frame without any map or lookup, to compare times"},
+    {0},
+};
+
+OptionTable leave_out_options(void)
+{
+    return options_table(options, &state);
+}
+
+static bool has_shadows(const LeaveOut *left)
+{
+    return strcmp(left->shadows, "on") == 0;
+}
+
+static void check(const LeaveOut *left, Frame *frame)
+{
+    const BaseSettings *settings = &frame->settings;
+    if (!has_shadows(left) && base_show_mode(settings)->reads_map) {
+        die_usage("--show %s needs the map that --shadows off leaves out: drop "
+                  "one of them",
+                  settings->show);
+    }
+    frame->settings.prints = settings->prints || left->plan;
+}
 
 // Of a scene, what may change from frame to frame.
 static uint64_t stamp_scene(const Scene *scene)
@@ -82,39 +129,45 @@ static void look_at_receivers(LeaveOut *left, Frame *frame)
                       "map";
 }
 
-bool leave_out_look(LeaveOut *left, Frame *frame)
+// What of the views is looked up.
+static void look(LeaveOut *left, Frame *frame)
 {
-    const BaseSettings *settings = &frame->settings;
-    const ViewsSize size = base_views_size(settings);
-    uint64_t scene = stamp_scene(&frame->scene);
-    bool later = settings->window || settings->move != NULL;
     const char *why;
-    if (left->fitted && left->scene == scene) {
-        return false;
-    }
-    left->fitted = true;
-    left->scene = scene;
-    left->decided = left->whole = false;
-    views_fit(&frame->views, &frame->scene, &size, frame->lookups.reach);
-    if (!settings->keep_all) {
-        casters_in_picture(&frame->views.seen, &frame->views, &frame->scene);
-    }
-    left->in_picture = frame->views.seen.count;
-    if (!base_shadows(settings)) {
+    if (!has_shadows(left)) {
         look_nowhere(left, frame, "--shadows off");
-    } else if (settings->keep_all) {
+    } else if (left->keep_all) {
         look_everywhere(left, "--keep-all");
-    } else if (base_show_mode(settings)->reads_map) {
+    } else if (base_show_mode(&frame->settings)->reads_map) {
         look_everywhere(left, "--show looks up every pixel");
     } else {
         look_at_receivers(left, frame);
-        if (left->lookups && !later && lone_plane_is_lit(frame, &why)) {
+        if (left->lookups && !frame->changes &&
+            lone_plane_is_lit(frame, &why)) {
             left->lookups = false;
             left->why = why;
         }
     }
-    frame->looks_up = left->lookups || (base_shadows(settings) && later);
-    return true;
+}
+
+void leave_out_look(Frame *frame)
+{
+    LeaveOut *left = &state;
+    const ViewsSize size = base_views_size(&frame->settings);
+    uint64_t scene = stamp_scene(&frame->scene);
+    if (left->fitted && left->scene == scene) {
+        return;
+    }
+    check(left, frame);
+    left->fitted = true;
+    left->scene = scene;
+    left->decided = left->whole = false;
+    views_fit(&frame->views, &frame->scene, &size, frame->lookups.reach);
+    if (!left->keep_all) {
+        casters_in_picture(&frame->views.seen, &frame->views, &frame->scene);
+    }
+    left->in_picture = frame->views.seen.count;
+    look(left, frame);
+    frame->looks_up = left->lookups || (has_shadows(left) && frame->changes);
 }
 
 // What the picture reads of a target's layer itself.
@@ -218,26 +271,31 @@ static void decide_layer(LeaveOut *left, Frame *frame, int layer)
     }
 }
 
-void leave_out_decide(LeaveOut *left, Frame *frame)
+static void decide(LeaveOut *left, Frame *frame)
 {
     for (int layer = 0; layer < frame->views.layers && !left->decided;
          layer++) {
         decide_layer(left, frame, layer);
     }
     left->decided = true;
+    if (left->plan && !left->printed) {
+        leave_out_print(left, frame);
+    }
+    left->printed = true;
 }
 
-void leave_out_begin(LeaveOut *left, Frame *frame)
+void leave_out_begin(Frame *frame, bool anew)
 {
-    bool always = frame->settings.keep_all || frame->settings.redraw;
-    leave_out_decide(left, frame);
+    LeaveOut *left = &state;
+    bool always = anew || left->keep_all || left->redraw;
+    decide(left, frame);
     for (int layer = 0; layer < frame->views.layers; layer++) {
         bool changed = left->lookups && has_changed(left, frame, layer);
         draw_layer(frame, layer, left->lookups && (changed || always));
     }
 }
 
-void leave_out_nothing(Frame *frame)
+bool leave_out_nothing(Frame *frame)
 {
     for (int layer = 0; layer < frame->views.layers; layer++) {
         draw_list_all(&frame->views.light[layer].seen, &frame->scene);
@@ -248,11 +306,5 @@ void leave_out_nothing(Frame *frame)
             target->layer[layer].draw = target->kind != TARGET_PICTURE;
         }
     }
-}
-
-void leave_out_forget(LeaveOut *left)
-{
-    for (int layer = 0; layer < VIEW_MAX_LAYERS; layer++) {
-        left->layer[layer].drawn_from = 0;
-    }
+    return has_shadows(&state);
 }

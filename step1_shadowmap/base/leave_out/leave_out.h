@@ -8,14 +8,19 @@
 
 #include <stdint.h> // uint64_t
 
-#include "step1_shadowmap/base/picture/frame.h" // Frame
+#include "step1_shadowmap/base/run/extras.h" // Frame
 
 typedef struct LeaveOut {
-    bool fitted;    // the views, for a scene with this stamp
-    uint64_t scene; // see stamp.h
-    bool decided;   // what is wanted of these views
-    bool whole;     // everything is drawn
-    bool lookups;   // some layer is looked up in this frame
+    bool plan;           // print what is left out, and why
+    bool keep_all;       // leave nothing out
+    bool redraw;         // draw the map in every frame
+    const char *shadows; // on or off
+    bool printed;        // the plan
+    bool fitted;         // the views, for a scene with this stamp
+    uint64_t scene;      // see stamp.h
+    bool decided;        // what is wanted of these views
+    bool whole;          // everything is drawn
+    bool lookups;        // some layer is looked up in this frame
     const char *why;
     int in_picture; // objects
     struct {
@@ -29,25 +34,6 @@ typedef struct LeaveOut {
         Rect drawn_for;
     } layer[VIEW_MAX_LAYERS];
 } LeaveOut;
-
-// Fits the views with room for the lookups, finds what of them the picture
-// looks up, and says whether it looks anything up, with --keep-all, --shadows
-// and --show as they are set. Does nothing, and returns false, if since the
-// last time neither the camera nor an object has moved.
-bool leave_out_look(LeaveOut *left, Frame *frame);
-
-// Decides what is wanted of every target, once they are all there.
-void leave_out_decide(LeaveOut *left, Frame *frame);
-
-// A frame begins: which layers are drawn in it? Those that have changed since
-// they were, which they are from here on.
-void leave_out_begin(LeaveOut *left, Frame *frame);
-
-// Wants everything in every map, and no picture: for the files of --dump.
-void leave_out_nothing(Frame *frame);
-
-// Every map is drawn again, for the shaders have changed.
-void leave_out_forget(LeaveOut *left);
 
 // What --plan prints: each pass, whether it is kept, and why.
 void leave_out_print(const LeaveOut *left, const Frame *frame);

@@ -91,10 +91,9 @@ static void print_picture(const LeaveOut *left, const Frame *frame)
     print_row("lookup", left->lookups, (Saved){0, 0}, left->why);
 }
 
-static void print_later(const LeaveOut *left, const Frame *frame)
+static void print_later(const LeaveOut *left)
 {
-    const BaseSettings *settings = &frame->settings;
-    bool again = left->lookups && (settings->keep_all || settings->redraw);
+    bool again = left->lookups && (left->keep_all || left->redraw);
     print_row("maps in later frames", again, (Saved){0, 0},
               !left->lookups ? "there are none"
               : again        ? "--redraw or --keep-all"
@@ -121,7 +120,7 @@ void leave_out_print(const LeaveOut *left, const Frame *frame)
             sum.bytes += saved.bytes;
         }
     }
-    print_later(left, frame);
+    print_later(left);
     printf("%-22s %-9s %13zu %13zu\n", "all", "", sum.texels, sum.bytes);
     printed_check();
 }

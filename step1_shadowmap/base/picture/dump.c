@@ -99,7 +99,7 @@ static void write_passes(FILE *file, const Stopwatch *stopwatch)
     fputs("  \"passes\": [", file);
     for (int i = 0; i < stopwatch->passes; i++) {
         fprintf(file, "%s{\"name\": \"%s\", \"ms\": %.6g}", i ? ", " : "",
-                stopwatch->name[i], stopwatch_last(stopwatch, i));
+                stopwatch->name[i], stopwatch->milliseconds[i]);
     }
     fputs("]\n", file);
 }

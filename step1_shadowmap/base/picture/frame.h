@@ -41,6 +41,7 @@ typedef struct Frame {
     Lookups lookups;
     bool technique[TECHNIQUES_MAX]; // of the table's, who takes part
     bool looks_up; // the picture looks maps up, now or in a later frame
+    bool changes;  // later frames may show something else
     Stopwatch clock;
     GLuint empty_vao; // for passes that cover the whole viewport
     // In the frame after the last, which draws the maps alone and all of them:

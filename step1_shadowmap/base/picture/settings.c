@@ -6,11 +6,10 @@
 
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step1_shadowmap/base/files/file.h" // file_is_directory, file_make_directory
-#include "step1_shadowmap/base/files/tree.h"       // tree_is_like
-#include "step1_shadowmap/base/files/image.h"      // image_name_is_known
-#include "step1_shadowmap/base/system/printed.h"   // printed_check
-#include "step1_shadowmap/base/scene/scene.h"      // scene_create, scene_list
-#include "step1_shadowmap/base/system/stopwatch.h" // STOPWATCH_MAX_FRAMES
+#include "step1_shadowmap/base/files/tree.h"     // tree_is_like
+#include "step1_shadowmap/base/files/image.h"    // image_name_is_known
+#include "step1_shadowmap/base/system/printed.h" // printed_check
+#include "step1_shadowmap/base/scene/scene.h"    // scene_create, scene_list
 
 enum { MAX_SIDE = 32768 };
 
@@ -25,11 +24,6 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, light),
      .choices = "directional,spot,point",
      .help = "the kind of light, in place of the scene's own"},
-    {.name = "shadows",
-     .kind = OPTION_CHOICE,
-     .offset = offsetof(BaseSettings, shadows),
-     .choices = "on,off",
-     .help = "off: the same frame without any map or lookup, to compare times"},
     {.name = "splits",
      .kind = OPTION_INTEGER,
      .offset = offsetof(BaseSettings, splits),
@@ -91,33 +85,6 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, context),
      .choices = "osmesa",
      .help = "where OpenGL draws without a window"},
-    {.name = "bench",
-     .kind = OPTION_INTEGER,
-     .offset = offsetof(BaseSettings, bench),
-     .minimum = 0,
-     .maximum = STOPWATCH_MAX_FRAMES - STOPWATCH_WARM_UP,
-     .argument = "N",
-     .help = "time N frames after a warm-up; prints each pass's times, and the "
-             "texels and bytes that it touches, as CSV"},
-    {.name = "move",
-     .kind = OPTION_TEXT,
-     .offset = offsetof(BaseSettings, move),
-     .argument = "NAME",
-     .help = "with --bench: from frame to frame the scene's objects of this "
-             "name rise by a hundredth of their height"},
-    {.name = "plan",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(BaseSettings, plan),
-     .help = "print each pass, whether it is kept or left out, and why"},
-    {.name = "keep-all",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(BaseSettings, keep_all),
-     .help = "leave nothing out: draw every map, all of it, in every frame"},
-    {.name = "redraw",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(BaseSettings, redraw),
-     .help = "draw what is kept of the maps in every frame, not only when "
-             "something has changed"},
     {0},
 };
 
@@ -182,35 +149,10 @@ void base_settings(BaseSettings *settings, int step, const char *program,
                                .map_size = {512, 512},
                                .output = settings->default_output,
                                .show = "shaded",
-                               .shadows = "on",
                                .splits = 1,
                                .context = "osmesa"};
     snprintf(settings->default_output, sizeof settings->default_output,
              "out/%s.png", program);
-}
-
-static void check_window(const BaseSettings *settings)
-{
-    if (settings->dump != NULL) {
-        die_usage("--dump keeps one frame, --window draws many: drop --dump "
-                  "or --window");
-    }
-    if (settings->bench > 0) {
-        die_usage("--bench times frames that are all the same, in --window "
-                  "they change: drop --bench or --window");
-    }
-}
-
-// The further choices show what is in a map.
-static void check_shadows(const BaseSettings *settings)
-{
-    const ShowMode *mode = base_show_mode(settings);
-    if (!base_shadows(settings) &&
-        mode == find_show(settings->more_shows, settings->show)) {
-        die_usage("--show %s needs the map that --shadows off leaves out: drop "
-                  "one of them",
-                  settings->show);
-    }
 }
 
 void base_settings_check(const BaseSettings *settings)
@@ -220,7 +162,6 @@ void base_settings_check(const BaseSettings *settings)
         printed_check();
         exit(0);
     }
-    check_shadows(settings);
     if (settings->shaders != NULL && !file_is_directory(settings->shaders)) {
         die_usage("--shaders '%s': there is no such directory",
                   settings->shaders);
@@ -234,55 +175,15 @@ void base_settings_check(const BaseSettings *settings)
         die_usage("--output '%s': the name has to end in .png or .exr",
                   settings->output);
     }
-    if (settings->window) {
-        check_window(settings);
-    }
-}
-
-static void rise(Object *object)
-{
-    double *row = object->transform[1];
-    row[3] +=
-        0.01 * row[1] * (double)(object->mesh->high[1] - object->mesh->low[1]);
-}
-
-// Returns how many objects have the name.
-static int move_objects(Scene *scene, const char *name, bool up)
-{
-    int count = 0;
-    for (int i = 0; i < scene->object_count; i++) {
-        if (strcmp(scene->objects[i].name, name) == 0) {
-            count++;
-            if (up) {
-                rise(&scene->objects[i]);
-            }
-        }
-    }
-    return count;
-}
-
-static void check_move(const BaseSettings *settings, Scene *scene)
-{
-    if (settings->move == NULL) {
-        return;
-    }
-    if (settings->bench == 0) {
-        die_usage("--move %s is from frame to frame: add --bench, or drop "
-                  "--move",
-                  settings->move);
-    }
-    if (move_objects(scene, settings->move, false) == 0) {
-        die_usage("--move '%s': no object of scene %s has that name; one is "
-                  "'%s'",
-                  settings->move, scene->name,
-                  scene->objects[scene->object_count - 1].name);
+    if (settings->window && settings->dump != NULL) {
+        die_usage("--dump keeps one frame, --window draws many: drop --dump "
+                  "or --window");
     }
 }
 
 void base_create_scene(const BaseSettings *settings, Scene *scene)
 {
     scene_create(scene, settings->scene, settings->light);
-    check_move(settings, scene);
     LightKind kind = scene->light.kind;
     if (settings->splits > 1 && kind != LIGHT_DIRECTIONAL) {
         die_usage("--splits %d are of a directional light, and this one is a "
@@ -302,8 +203,7 @@ static void make_output_directory(const char *output)
 
 void base_prepare_files(BaseSettings *settings, const OptionTable tables[])
 {
-    bool other =
-        settings->dump != NULL || settings->bench > 0 || settings->plan;
+    bool other = settings->dump != NULL || settings->prints;
     if (settings->dump != NULL) {
         file_make_directory(settings->dump);
     }
@@ -320,14 +220,8 @@ void base_prepare_files(BaseSettings *settings, const OptionTable tables[])
 void base_say_written(const BaseSettings *settings, const char *path,
                       const char *ending)
 {
-    FILE *where = settings->bench > 0 || settings->plan ? stderr : stdout;
-    fprintf(where, "wrote %s%s\n", path, ending);
+    fprintf(settings->prints ? stderr : stdout, "wrote %s%s\n", path, ending);
     printed_check();
-}
-
-bool base_shadows(const BaseSettings *settings)
-{
-    return strcmp(settings->shadows, "on") == 0;
 }
 
 ViewsSize base_views_size(const BaseSettings *settings)
@@ -335,13 +229,4 @@ ViewsSize base_views_size(const BaseSettings *settings)
     return (ViewsSize){{settings->size[0], settings->size[1]},
                        {settings->map_size[0], settings->map_size[1]},
                        settings->splits};
-}
-
-bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame)
-{
-    int frames = settings->bench > 0 ? settings->bench + STOPWATCH_WARM_UP : 1;
-    if (settings->move != NULL && frame > 0 && frame < frames) {
-        move_objects(scene, settings->move, true);
-    }
-    return frame < frames;
 }

@@ -27,13 +27,9 @@ typedef struct BaseSettings {
     const char *shaders;        // directory, or NULL
     bool window;
     const char *context;
-    const char *shadows; // on or off
-    int splits;          // views of a directional light
-    int bench;           // frames to time, or 0
-    const char *move;    // objects that move between frames, or NULL
-    bool plan;           // print what is left out, and why
-    bool keep_all;       // leave nothing out
-    bool redraw;         // draw the map in every frame
+    int splits;  // views of a directional light
+    bool prints; // the run is for what it prints on stdout: it writes a picture
+                 // only where --output names one
 } BaseSettings;
 
 extern const Option base_options[];
@@ -54,28 +50,21 @@ const ShowMode *base_show_mode(const BaseSettings *settings);
 void base_settings_check(const BaseSettings *settings);
 
 // Builds the scene of --scene and --light. Refuses (status 2) splits of a light
-// that is not parallel, and to move what it does not have.
+// that is not parallel.
 void base_create_scene(const BaseSettings *settings, Scene *scene);
 
 // Makes the directories of the default output and of --dump, once everything
-// that could be wrong with the options has been looked at. --plan, --bench and
-// --dump ask for something else than a picture: then there is an output only
-// where --output names it, else it is NULL from here on.
+// that could be wrong with the options has been looked at. --dump asks for
+// something else than a picture, as what `prints` does: then there is an output
+// only where --output names it, else it is NULL from here on.
 void base_prepare_files(BaseSettings *settings, const OptionTable tables[]);
 
 // Says that this file was written, or directory (`ending` "/"): on stdout, or
-// on stderr where stdout is for what --bench and --plan print.
+// on stderr where stdout is for what the run prints.
 void base_say_written(const BaseSettings *settings, const char *path,
                       const char *ending);
 
-// Whether there are shadows: without, no map is made.
-bool base_shadows(const BaseSettings *settings);
-
 // What the views are fitted to.
 ViewsSize base_views_size(const BaseSettings *settings);
-
-// Whether there is a frame of this number, from 0: one, or those to time and
-// the warm-up before them. Moves for it what --move names.
-bool base_next_frame(const BaseSettings *settings, Scene *scene, int frame);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "step1_shadowmap/base/picture/dump.h"      // dump_run, dump_target
 #include "step1_shadowmap/base/picture/technique.h" // techniques_check, ...
+#include "step1_shadowmap/base/run/extras.h" // leave_out_look, bench_next
 
 void run_options(Run *run, int argc, char **argv, int step, const char *program,
                  const ShowMode *more_shows, const OptionTable tables[])
@@ -13,11 +14,14 @@ void run_options(Run *run, int argc, char **argv, int step, const char *program,
     int count = 0;
     base_settings(&frame->settings, step, program, more_shows);
     frame->options[count++] = options_table(base_options, &frame->settings);
+    frame->options[count++] = bench_options();
+    frame->options[count++] = leave_out_options();
     for (; tables->options != NULL; tables++) {
         frame->options[count++] = *tables;
     }
     techniques_join(frame->options, count);
     options_parse(argc, argv, frame->options);
+    bench_check(frame);
     techniques_check(frame);
 }
 
@@ -27,6 +31,7 @@ void run_begin(Run *run)
     const BaseSettings *settings = &frame->settings;
     base_settings_check(settings);
     base_create_scene(settings, &frame->scene);
+    frame->changes = settings->window || frame->changes;
     run->context = context_create(settings->window, settings->size);
     frame->shaders.directory = settings->shaders;
     frame->geometry = geometry_create(&frame->scene);
@@ -36,7 +41,7 @@ void run_begin(Run *run)
 void run_look(Run *run)
 {
     techniques_prepare(&run->frame);
-    leave_out_look(&run->left_out, &run->frame);
+    leave_out_look(&run->frame);
 }
 
 // Every map is drawn once more, all of it: the picture may have needed less.
@@ -44,13 +49,12 @@ static bool next_dump(Run *run)
 {
     Frame *frame = &run->frame;
     const BaseSettings *settings = &frame->settings;
-    if (settings->dump == NULL || !base_shadows(settings) ||
-        frame->dump != NULL) {
+    if (settings->dump == NULL || frame->dump != NULL ||
+        !leave_out_nothing(frame)) {
         return false;
     }
     frame->dump = settings->dump;
     base_prepare_files(&frame->settings, frame->options);
-    leave_out_nothing(frame);
     techniques_before(frame);
     return true;
 }
@@ -67,7 +71,6 @@ static bool next_in_window(Run *run)
     }
     if (window->reload) {
         window->shader_error = !gl_reload(&frame->shaders);
-        leave_out_forget(&run->left_out);
     }
     return true;
 }
@@ -76,10 +79,6 @@ static void begin_first(Run *run, Picture *picture, const char *subject)
 {
     Frame *frame = &run->frame;
     run->picture = picture;
-    leave_out_decide(&run->left_out, frame);
-    if (frame->settings.plan) {
-        leave_out_print(&run->left_out, frame);
-    }
     if (frame->settings.window) {
         base_prepare_files(&frame->settings, frame->options);
         run->window = window_create(&run->context, &frame->shaders, subject);
@@ -98,17 +97,15 @@ bool run_next(Run *run, Picture *picture, const char *subject, ...)
         va_end(arguments);
         begin_first(run, picture, text);
     }
-    bool another =
-        frame->settings.window
-            ? next_in_window(run)
-            : base_next_frame(&frame->settings, &frame->scene, run->drawn);
+    bool another = frame->settings.window ? next_in_window(run)
+                                          : bench_next(frame, run->drawn);
     if (!another) {
         return next_dump(run);
     }
     run->drawn++;
     stopwatch_start(&frame->clock);
-    leave_out_look(&run->left_out, frame);
-    leave_out_begin(&run->left_out, frame);
+    leave_out_look(frame);
+    leave_out_begin(frame, run->window.reload);
     techniques_before(frame);
     return true;
 }
@@ -139,7 +136,7 @@ static void write_files(Run *run)
     if (settings->dump != NULL) {
         base_say_written(settings, settings->dump, "/");
     }
-    stopwatch_print(&run->frame.clock, settings->bench);
+    bench_print();
 }
 
 void run_end(Run *run)

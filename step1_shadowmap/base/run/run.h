@@ -3,15 +3,13 @@
 #ifndef BASE_RUN_H
 #define BASE_RUN_H
 
-#include "step1_shadowmap/base/gl/context.h"          // Context
-#include "step1_shadowmap/base/leave_out/leave_out.h" // LeaveOut
-#include "step1_shadowmap/base/picture/picture.h"     // Picture
-#include "step1_shadowmap/base/run/window.h"          // Window
+#include "step1_shadowmap/base/gl/context.h"      // Context
+#include "step1_shadowmap/base/picture/picture.h" // Picture
+#include "step1_shadowmap/base/run/window.h"      // Window
 
 typedef struct Run {
     Frame frame; // what the stages are given
     Context context;
-    LeaveOut left_out;
     int drawn; // frames
     Picture *picture;
     Window window;
