@@ -2,8 +2,9 @@
 
 #include <math.h> // fmin, sqrt, INFINITY
 
-#include "step1_shadowmap/base/light/volume.h" // volume_of_texels
-#include "step1_shadowmap/base/scene/dvec.h"   // dvec_dot, dvec_subtract
+#include "step1_shadowmap/base/leave_out/volume.h" // volume_of_texels
+#include "step1_shadowmap/base/light/region.h"     // object_box
+#include "step1_shadowmap/base/scene/dvec.h"       // dvec_dot, dvec_subtract
 
 // What is outside by nothing at all is half a pixel from the next pixel's
 // middle, and a rasteriser moves corners by far less.
@@ -11,16 +12,61 @@ static bool misses_picture(const Views *views, const Object *object)
 {
     Volume picture = volume_of_picture(views);
     double corners[8][3];
-    volume_object_box(object, views->origin, corners);
+    object_box(object, views->origin, corners);
     return volume_misses(&picture, corners);
 }
 
-void casters_in_picture(DrawList *list, const Views *views, const Scene *scene)
+static double square_distance(const Scene *scene, int object)
+{
+    double apart[3];
+    for (int i = 0; i < 3; i++) {
+        apart[i] =
+            scene->objects[object].transform[i][3] - scene->camera.position[i];
+    }
+    return dvec_dot(apart, apart);
+}
+
+// Puts the object before all that are further away.
+static void add_by_distance(DrawList *list, const Scene *scene, int object)
+{
+    double distance = square_distance(scene, object);
+    int place = list->count++;
+    for (; place > 0; place--) {
+        int before = list->objects[place - 1];
+        if (square_distance(scene, before) <= distance) {
+            break;
+        }
+        list->objects[place] = before;
+    }
+    list->objects[place] = object;
+}
+
+// What is drawn later and lies behind need not be shaded. So the objects come
+// by the distance of their origins from the camera, and last the ground, which
+// casts nothing and on which all of them stand.
+static void nearest_first(DrawList *list, const Scene *scene)
+{
+    list->count = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        if (scene->objects[i].casts) {
+            add_by_distance(list, scene, i);
+        }
+    }
+    for (int i = 0; i < scene->object_count; i++) {
+        if (!scene->objects[i].casts) {
+            list->objects[list->count++] = i;
+        }
+    }
+}
+
+void casters_in_picture(DrawList *list, const Views *views, const Scene *scene,
+                        bool all)
 {
     int kept = 0;
+    nearest_first(list, scene);
     for (int i = 0; i < list->count; i++) {
         int object = list->objects[i];
-        if (!misses_picture(views, &scene->objects[object])) {
+        if (all || !misses_picture(views, &scene->objects[object])) {
             list->objects[kept++] = object;
         }
     }
@@ -68,7 +114,7 @@ int casters_list(DrawList *list, const Views *views, const Scene *scene,
     list->count = 0;
     for (int i = 0; i < scene->object_count && !rect_is_empty(texels); i++) {
         double corners[8][3];
-        volume_object_box(&scene->objects[i], views->origin, corners);
+        object_box(&scene->objects[i], views->origin, corners);
         if (volume_misses(&volume, corners)) {
             continue;
         }

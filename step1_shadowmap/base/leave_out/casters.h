@@ -4,8 +4,9 @@
 
 #include "step1_shadowmap/base/light/view.h" // Views
 
-// Leaves those in the list that may be in the picture.
-void casters_in_picture(DrawList *list, const Views *views, const Scene *scene);
+// The objects that may be in the picture, or all, the nearest first.
+void casters_in_picture(DrawList *list, const Views *views, const Scene *scene,
+                        bool all);
 
 // Every object whose outline in the map may cover one of these texels, but
 // those behind t = `deepest` for certain. Returns how many these are.

@@ -17,10 +17,10 @@ typedef struct LeaveOut {
     const char *shadows; // on or off
     bool printed;        // the plan
     bool fitted;         // the views, for a scene with this stamp
-    uint64_t scene;      // see stamp.h
-    bool decided;        // what is wanted of these views
-    bool whole;          // everything is drawn
-    bool lookups;        // some layer is looked up in this frame
+    uint64_t scene;
+    bool decided; // what is wanted of these views
+    bool whole;   // everything is drawn
+    bool lookups; // some layer is looked up in this frame
     const char *why;
     int in_picture; // objects
     struct {

@@ -5,8 +5,8 @@
 #include "step1_shadowmap/base/scene/dvec.h"       // dvec_cross, dvec_dot
 #include "step1_shadowmap/base/leave_out/facing.h" // Facing
 #include "step1_shadowmap/base/light/polygon.h"    // POLYGON_MAX_CORNERS
-#include "step1_shadowmap/base/light/region.h"     // vertex_relative
-#include "step1_shadowmap/base/light/volume.h"     // volume_of_receivers
+#include "step1_shadowmap/base/light/region.h" // object_box, vertex_relative
+#include "step1_shadowmap/base/leave_out/volume.h" // volume_of_receivers
 
 enum {
     // Of a mesh with more triangles only the box around it is looked at.
@@ -232,7 +232,7 @@ static void include_object(Collector *all, const Object *object)
 {
     const Mesh *mesh = object->mesh;
     double corners[8][3];
-    volume_object_box(object, all->views->origin, corners);
+    object_box(object, all->views->origin, corners);
     grow_box(corners, 1.25);
     if (volume_misses(&all->picture, corners)) {
         return;

@@ -4,7 +4,6 @@
 #include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_dot, dvec_frame
 #include "step1_shadowmap/base/light/light_view.h" // fit_directional
 #include "step1_shadowmap/base/light/region.h"     // region_include_scene
-#include "step1_shadowmap/base/light/volume.h"     // volume_object_box
 
 static void include_point(LightFrame *frame, const double point[3])
 {
@@ -30,7 +29,7 @@ static bool holds_object(LightFrame *frame, const Object *object,
 {
     double corners[8][3], point[3];
     bool inside = true;
-    volume_object_box(object, origin, corners);
+    object_box(object, origin, corners);
     for (int i = 0; i < 8; i++) {
         frame_coordinates(frame->axes, corners[i], point);
         inside = inside && holds_point(frame, point);

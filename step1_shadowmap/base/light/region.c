@@ -5,7 +5,6 @@
 
 #include "step1_shadowmap/base/scene/dvec.h"    // dvec_dot
 #include "step1_shadowmap/base/light/polygon.h" // polygon_clip
-#include "step1_shadowmap/base/light/volume.h"  // volume_object_box
 
 void vertex_relative(const Object *object, const double origin[3],
                      size_t vertex, double position[3])
@@ -15,6 +14,23 @@ void vertex_relative(const Object *object, const double origin[3],
         const double *m = object->transform[row];
         position[row] = m[0] * (double)local[0] + m[1] * (double)local[1] +
                         m[2] * (double)local[2] + (m[3] - origin[row]);
+    }
+}
+
+void object_box(const Object *object, const double origin[3],
+                double corners[8][3])
+{
+    const Mesh *mesh = object->mesh;
+    const float *bounds[2] = {mesh->low, mesh->high};
+    for (int corner = 0; corner < 8; corner++) {
+        for (int row = 0; row < 3; row++) {
+            const double *m = object->transform[row];
+            corners[corner][row] = m[3] - origin[row];
+            for (int k = 0; k < 3; k++) {
+                corners[corner][row] +=
+                    m[k] * (double)bounds[corner >> k & 1][k];
+            }
+        }
     }
 }
 
@@ -84,7 +100,7 @@ void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
         double corners[8][3];
-        volume_object_box(object, origin, corners);
+        object_box(object, origin, corners);
         if (holds_box(region, axes, corners)) {
             continue;
         }

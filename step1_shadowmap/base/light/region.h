@@ -23,6 +23,10 @@ void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
 void vertex_relative(const Object *object, const double origin[3],
                      size_t vertex, double position[3]);
 
+// The corners of the box around an object, in world axes, minus the origin.
+void object_box(const Object *object, const double origin[3],
+                double corners[8][3]);
+
 // A position's coordinates along three axes.
 void frame_coordinates(double axes[3][3], const double position[3],
                        double result[3]);

@@ -1,13 +1,12 @@
 #include "step1_shadowmap/base/light/view.h"
 
-#include <math.h>   // fmax, fmin, sqrt, tan
+#include <math.h>   // fmax, fmin, tan
 #include <stdio.h>  // snprintf
 #include <string.h> // memset
 
 #include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_frame, dvec_subtract
 #include "step1_shadowmap/base/light/light_view.h" // fit_directional, fit_point, ...
 #include "step1_shadowmap/base/light/region.h" // region_include_scene
-#include "step1_shadowmap/base/light/volume.h" // volume_misses
 
 // The near and far planes are fitted to what is in the picture: a depth buffer
 // has few digits left for surfaces that are far behind its near plane.
@@ -78,27 +77,12 @@ void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
     int side = least(views->width, views->height);
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
     fit_light(views, scene, aspect, size->splits);
-    draw_list_nearest_first(&views->seen, scene);
+    draw_list_all(&views->seen, scene);
     for (int layer = 0; layer < views->layers; layer++) {
         LightView *view = &views->light[layer];
         draw_list_all(&view->seen, scene);
         view->looked_up = rect_whole(views->width, views->height);
     }
-}
-
-double view_light_depth(const Views *views, int layer, const double position[3])
-{
-    const double *row = views->light[layer].depth_from_relative;
-    double away[3];
-    dvec_subtract(position, views->light_position, away);
-    return dvec_dot(row, position) + row[3] +
-           views->depth_per_distance * sqrt(dvec_dot(away, away));
-}
-
-double view_light_steepest(const Views *views, int layer)
-{
-    const double *row = views->light[layer].depth_from_relative;
-    return sqrt(dvec_dot(row, row)) + views->depth_per_distance;
 }
 
 void view_set_matrix(GLuint program, const char *name,

@@ -7,9 +7,8 @@
 
 #include <glad/gl.h>
 
-#include "step1_shadowmap/base/gl/rect.h"         // Rect
-#include "step1_shadowmap/base/scene/draw_list.h" // DrawList
-#include "step1_shadowmap/base/scene/scene.h"     // Scene
+#include "step1_shadowmap/base/gl/rect.h"     // Rect
+#include "step1_shadowmap/base/scene/scene.h" // DrawList, Scene
 
 enum { VIEW_MAX_LAYERS = 8 }; // splits, which are more than a point's 6
 
@@ -65,13 +64,6 @@ typedef struct ViewsSize {
 // texels.
 void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
                int reach);
-
-// t of a position in a layer.
-double view_light_depth(const Views *views, int layer,
-                        const double position[3]);
-
-// By how much t changes along a way in space, at most; per world unit.
-double view_light_steepest(const Views *views, int layer);
 
 // Rounds a matrix to single precision and sets a mat4 uniform of the program.
 void view_set_matrix(GLuint program, const char *name,

@@ -4,8 +4,7 @@
 
 #include <glad/gl.h>
 
-#include "step1_shadowmap/base/scene/draw_list.h" // DrawList
-#include "step1_shadowmap/base/scene/scene.h"     // Scene
+#include "step1_shadowmap/base/scene/scene.h" // DrawList, Scene
 
 // What a pass reads of each mesh.
 typedef struct GeometryStream {

@@ -287,3 +287,11 @@ void scene_destroy(Scene *scene)
     }
     memset(scene, 0, sizeof *scene);
 }
+
+void draw_list_all(DrawList *list, const Scene *scene)
+{
+    list->count = scene->object_count;
+    for (int i = 0; i < scene->object_count; i++) {
+        list->objects[i] = i;
+    }
+}

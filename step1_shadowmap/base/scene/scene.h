@@ -59,6 +59,14 @@ typedef struct Scene {
     int object_count;
 } Scene;
 
+// Which objects a pass draws: what its view does not see is not on its list.
+// Places in the scene's list of objects, in the order of drawing: where two
+// surfaces are equally far, the first one drawn is the one that shows.
+typedef struct DrawList {
+    int objects[SCENE_MAX_OBJECTS];
+    int count;
+} DrawList;
+
 // "directional", "spot" or "point".
 const char *light_kind_name(LightKind kind);
 
@@ -74,5 +82,8 @@ void scene_destroy(Scene *scene);
 
 // Every scene with its keys, their ranges, units and defaults.
 void scene_list(FILE *file);
+
+// Every object of the scene.
+void draw_list_all(DrawList *list, const Scene *scene);
 
 #endif

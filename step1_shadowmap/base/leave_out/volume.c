@@ -1,6 +1,6 @@
-#include "step1_shadowmap/base/light/volume.h"
+#include "step1_shadowmap/base/leave_out/volume.h"
 
-#include <math.h> // fabs
+#include <math.h> // fabs, sqrt
 
 #include "step1_shadowmap/base/scene/dvec.h"    // dvec_dot
 #include "step1_shadowmap/base/light/polygon.h" // polygon_clip
@@ -119,23 +119,6 @@ Volume volume_of_receivers(const Views *views, int layer)
     return volume;
 }
 
-void volume_object_box(const Object *object, const double origin[3],
-                       double corners[8][3])
-{
-    const Mesh *mesh = object->mesh;
-    const float *bounds[2] = {mesh->low, mesh->high};
-    for (int corner = 0; corner < 8; corner++) {
-        for (int row = 0; row < 3; row++) {
-            const double *m = object->transform[row];
-            corners[corner][row] = m[3] - origin[row];
-            for (int k = 0; k < 3; k++) {
-                corners[corner][row] +=
-                    m[k] * (double)bounds[corner >> k & 1][k];
-            }
-        }
-    }
-}
-
 bool volume_misses(const Volume *volume, double corners[8][3])
 {
     for (int i = 0; i < volume->count; i++) {
@@ -164,4 +147,19 @@ int volume_clip(const Volume *volume, double polygon[][3], int count)
             polygon_clip(polygon, count, volume->normals[i], volume->limits[i]);
     }
     return count;
+}
+
+double view_light_depth(const Views *views, int layer, const double position[3])
+{
+    const double *row = views->light[layer].depth_from_relative;
+    double away[3];
+    dvec_subtract(position, views->light_position, away);
+    return dvec_dot(row, position) + row[3] +
+           views->depth_per_distance * sqrt(dvec_dot(away, away));
+}
+
+double view_light_steepest(const Views *views, int layer)
+{
+    const double *row = views->light[layer].depth_from_relative;
+    return sqrt(dvec_dot(row, row)) + views->depth_per_distance;
 }

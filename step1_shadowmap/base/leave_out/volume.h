@@ -28,15 +28,18 @@ Volume volume_of_texels(const Views *views, int layer, const double low[2],
 // the shaders choose in single precision.
 Volume volume_of_receivers(const Views *views, int layer);
 
-// The corners of a box around an object.
-void volume_object_box(const Object *object, const double origin[3],
-                       double corners[8][3]);
-
 // Whether a box is outside for certain: all of it beyond one of the planes, by
 // more than single precision errs where it is drawn.
 bool volume_misses(const Volume *volume, double corners[8][3]);
 
 // Cuts a polygon (see polygon.h); returns how many corners are left.
 int volume_clip(const Volume *volume, double polygon[][3], int count);
+
+// t of a position in a layer.
+double view_light_depth(const Views *views, int layer,
+                        const double position[3]);
+
+// By how much t changes along a way in space, at most; per world unit.
+double view_light_steepest(const Views *views, int layer);
 
 #endif
