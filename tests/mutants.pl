@@ -654,7 +654,7 @@ my %mutants = (
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
     'an object drawn in the place of another' => [
-        'step1', 'step1_shadowmap/base/scene/draw_list.c',
+        'step1', 'step1_shadowmap/base/leave_out/casters.c',
         'list->objects[place] = before;', ''
     ],
     'a face of a point light that is never looked up' => [
@@ -761,7 +761,7 @@ my %mutants = (
         '1.2 * size.x >= max(size.y, size.z)'
     ],
     'a face of the light that is left out' => [
-        'plan', 'step1_shadowmap/base/light/volume.c',
+        'plan', 'step1_shadowmap/base/leave_out/volume.c',
         'along[axis] = (face % 2 ? -1 : 1)',
         'along[axis] = (face % 2 ? -1 : face == 4 ? -1 : 1)'
     ],
@@ -786,12 +786,12 @@ my %mutants = (
         'frame->views.width * 2 / target->width'
     ],
     'what is half in the picture is left out' => [
-        'plan',        'step1_shadowmap/base/light/volume.c',
+        'plan',        'step1_shadowmap/base/leave_out/volume.c',
         'beyond == 8', 'beyond >= 4'
     ],
     'the camera and the picture\'s lower edge mixed up' => [
         'plan',
-        'step1_shadowmap/base/light/volume.c',
+        'step1_shadowmap/base/leave_out/volume.c',
         'add_slab(&volume, clip[1], clip[3])',
         'add_slab(&volume, clip[1], clip[0])'
     ],

@@ -39,8 +39,9 @@ $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)
 ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
-    $(addprefix scene/,scene scene_table scene_build scene_daylight \
-    scene_closed scene_lamps scene_extreme mesh) system/die system/memory)
+    $(addprefix scene/,scene scene_table scene_build mesh) \
+    $(addprefix scenes/,table daylight closed lamps extreme meshes lights finish) \
+    system/die system/memory)
 ORACLE_BOUNDS := $(patsubst %,$(BUILD)/obj/tests/stability/%.c.o,\
     bound formulas search windows)
 EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\

@@ -3,7 +3,7 @@
 # for each program the list of that name.
 
 # Its rooms, the lowest first: base/README.md says what is where.
-base_rooms := system files gl scene light picture run leave_out bench
+base_rooms := system files gl scene light picture run scenes leave_out bench
 base := $(patsubst %,step1_shadowmap/base/%,\
     base.mk words.mk set-up.sh README.md) \
     $(patsubst $(ROOT)/%,%,$(wildcard \

@@ -1,20 +1,13 @@
 #include "step1_shadowmap/base/scene/mesh.h"
 
-#include <math.h> // cos, fmaxf, fminf, sin, INFINITY
-#include <stdbool.h>
+#include <math.h>   // fmaxf, fminf, INFINITY
 #include <stdlib.h> // free
 
 #include "step1_shadowmap/base/system/die.h"
 #include "step1_shadowmap/base/scene/dvec.h"
 #include "step1_shadowmap/base/scene/teapot.h"
 
-static const double PI = 3.14159265358979323846;
-
-// Keeps every vertex and index number far inside 32 bits.
-enum { MAX_SEGMENTS = 4096 };
-
-// The counts of the result grow from 0 as the functions below fill it.
-static Mesh mesh_allocate(size_t max_vertices, size_t max_indices)
+Mesh mesh_allocate(size_t max_vertices, size_t max_indices)
 {
     return (Mesh){
         .vertices = allocate(max_vertices, sizeof(MeshVertex)),
@@ -22,8 +15,8 @@ static Mesh mesh_allocate(size_t max_vertices, size_t max_indices)
     };
 }
 
-static void mesh_add_vertex(Mesh *mesh, const double position[3],
-                            const double normal[3])
+void mesh_add_vertex(Mesh *mesh, const double position[3],
+                     const double normal[3])
 {
     MeshVertex *vertex = &mesh->vertices[mesh->vertex_count++];
     for (int i = 0; i < 3; i++) {
@@ -52,12 +45,8 @@ static void mesh_add_triangle(Mesh *mesh, size_t a, size_t b, size_t c)
     mesh->indices[mesh->index_count++] = (uint32_t)c;
 }
 
-// Joins the (rows + 1) x (columns + 1) vertices from `first` on, stored row by
-// row, to triangles. The outside is where (along a row) x (to the next row)
-// points, or the opposite side if the grid is a mirror image: a reflection
-// turns counter-clockwise into clockwise.
-static void mesh_add_grid(Mesh *mesh, size_t first, size_t columns, size_t rows,
-                          bool mirrored)
+void mesh_add_grid(Mesh *mesh, size_t first, size_t columns, size_t rows,
+                   bool mirrored)
 {
     for (size_t row = 0; row < rows; row++) {
         for (size_t column = 0; column < columns; column++) {
@@ -97,22 +86,6 @@ Mesh mesh_plane(void)
     return mesh;
 }
 
-Mesh mesh_tiles(int side)
-{
-    size_t corners = (size_t)side + 1, tiles = (size_t)side * (size_t)side;
-    Mesh mesh = mesh_allocate(corners * corners, 6 * tiles);
-    const double up[3] = {0, 1, 0};
-    for (int z = 0; z <= side; z++) {
-        for (int x = 0; x <= side; x++) {
-            const double place[3] = {(double)x / side - 0.5, 0,
-                                     (double)z / side - 0.5};
-            mesh_add_vertex(&mesh, place, up);
-        }
-    }
-    mesh_add_grid(&mesh, 0, (size_t)side, (size_t)side, true);
-    return mesh;
-}
-
 Mesh mesh_box(void)
 {
     Mesh mesh = mesh_allocate(6 * 4, 6 * 6);
@@ -120,38 +93,6 @@ Mesh mesh_box(void)
         mesh_add_square(&mesh, axis, 1.0, 0.5);
         mesh_add_square(&mesh, axis, -1.0, 0.5);
     }
-    return mesh;
-}
-
-static void check_segments(const char *shape, int segments, int least)
-{
-    if (segments < least || segments > MAX_SEGMENTS) {
-        die("a %s of %d segments; use %d to %d", shape, segments, least,
-            MAX_SEGMENTS);
-    }
-}
-
-Mesh mesh_sphere(int segments)
-{
-    check_segments("sphere", segments, 4);
-    size_t columns = (size_t)segments;
-    size_t rows = columns / 2;
-    Mesh mesh = mesh_allocate((columns + 1) * (rows + 1), 6 * columns * rows);
-    for (size_t row = 0; row <= rows; row++) {
-        // sin(pi) rounds to 1e-16 and cos(2 pi) to less than 1; so the pole
-        // gets its radius and the last column its angle by hand, or the
-        // sphere would not close exactly.
-        double polar = PI * (double)row / (double)rows;
-        double radius = row % rows == 0 ? 0.0 : sin(polar);
-        for (size_t column = 0; column <= columns; column++) {
-            double angle =
-                2 * PI * (double)(column % columns) / (double)columns;
-            double position[3] = {radius * cos(angle), cos(polar),
-                                  radius * sin(angle)};
-            mesh_add_vertex(&mesh, position, position);
-        }
-    }
-    mesh_add_grid(&mesh, 0, columns, rows, false);
     return mesh;
 }
 
@@ -258,7 +199,6 @@ static void mesh_add_reflection(Mesh *mesh, size_t first, size_t count,
 
 Mesh mesh_teapot(int segments)
 {
-    check_segments("teapot", segments, 1);
     size_t n = (size_t)segments;
     size_t count = (n + 1) * (n + 1); // vertices of a patch
     size_t max_patches = 4 * TEAPOT_PATCH_COUNT;

@@ -3,6 +3,7 @@
 #ifndef BASE_MESH_H
 #define BASE_MESH_H
 
+#include <stdbool.h>
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t
 
@@ -22,20 +23,26 @@ typedef struct Mesh {
 // Sets the box from the vertices.
 void mesh_find_box(Mesh *mesh);
 
+// For those who build one: an empty mesh with room, of whose counts the
+// functions below add to. No more segments than MESH_MAX_SEGMENTS keep every
+// vertex and index number far inside 32 bits.
+enum { MESH_MAX_SEGMENTS = 4096 };
+Mesh mesh_allocate(size_t max_vertices, size_t max_indices);
+void mesh_add_vertex(Mesh *mesh, const double position[3],
+                     const double normal[3]);
+
+// Joins the (rows + 1) x (columns + 1) vertices from `first` on, stored row by
+// row, to triangles. The outside is where (along a row) x (to the next row)
+// points, or the opposite side if the grid is a mirror image: a reflection
+// turns counter-clockwise into clockwise.
+void mesh_add_grid(Mesh *mesh, size_t first, size_t columns, size_t rows,
+                   bool mirrored);
+
 // A square of side 1 in the plane y = 0, centred at the origin, facing +y.
 Mesh mesh_plane(void);
 
-// The same of side x side smaller squares. A rasteriser's positions inside a
-// triangle are as exact as a float as large as the triangle, so where a large
-// floor has to be flat to the last bits it is laid in tiles.
-Mesh mesh_tiles(int side);
-
 // A cube of side 1 centred at the origin, flat normals (24 vertices).
 Mesh mesh_box(void);
-
-// A sphere of radius 1 at the origin, smooth normals; `segments` around the
-// equator and segments / 2 from pole to pole, at least 4.
-Mesh mesh_sphere(int segments);
 
 // The Utah teapot (Martin Newell, 1975) tessellated from its Bezier patches,
 // each into segments x segments quads (at least 1), normals from the patches'

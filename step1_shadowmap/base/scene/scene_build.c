@@ -34,13 +34,6 @@ Object *scene_add_object(Scene *scene, const char *name, const Mesh *mesh,
     return object;
 }
 
-Object *scene_add_block(Scene *scene, const char *name, const Mesh *box,
-                        const double size[3], const double foot[3])
-{
-    const double middle[3] = {foot[0], foot[1] + 0.5 * size[1], foot[2]};
-    return scene_add_object(scene, name, box, size, middle);
-}
-
 Object *scene_add_facing_plane(Scene *scene, const char *name, const Mesh *mesh,
                                double along, const double shift[2],
                                const double size[2], double angle)
@@ -92,18 +85,6 @@ void scene_set_light(Scene *scene, double x, double y, double z)
     dvec_normalize(light->direction);
     memcpy(light->radiance, radiance, sizeof radiance);
     memcpy(light->ambient, ambient, sizeof ambient);
-}
-
-void scene_set_local_light(Scene *scene, LightKind kind,
-                           const double position[3], const double target[3],
-                           double reference)
-{
-    double aim[3];
-    dvec_subtract(target, position, aim);
-    scene_set_light(scene, aim[0], aim[1], aim[2]);
-    scene->light.kind = kind;
-    dvec_copy(position, scene->light.position);
-    scene->light.reference = reference;
 }
 
 void scene_set_camera(Scene *scene, const double position[3],

@@ -1,5 +1,5 @@
 // Scenes in parallel light, to be looked at; their truth is ray cast.
-#include "step1_shadowmap/base/scene/scene_build.h"
+#include "step1_shadowmap/base/scenes/build.h"
 
 #include <math.h> // cos, fmax, round, sin, sqrt
 
@@ -10,41 +10,6 @@ enum { THIN_THICKNESS };
 enum { FENCE_PICKETS };
 enum { CROWD_TRIANGLES };
 enum { AVENUE_WALK, AVENUE_TURN, AVENUE_ASIDE, AVENUE_TILT };
-
-// A gate of thin bars: what aliases first in a shadow map.
-static void add_gate(Scene *scene, const Mesh *box)
-{
-    const double post[3] = {0.035, 1.0, 0.035};
-    for (int i = 0; i < 6; i++) {
-        const double position[3] = {-1.62, 0.5, -0.35 + 0.22 * i};
-        object_set_albedo(scene_add_object(scene, "bar", box, post, position),
-                          0.16f, 0.20f, 0.24f);
-    }
-    const double rail[3] = {0.035, 0.05, 1.25};
-    const double place[3] = {-1.62, 0.975, 0.2};
-    object_set_albedo(scene_add_object(scene, "rail", box, rail, place), 0.16f,
-                      0.20f, 0.24f);
-}
-
-void scene_build_teapot(Scene *scene, const double values[])
-{
-    (void)values;
-    scene_set_default_view(scene);
-    scene_add_floor(scene, scene_add_mesh(scene, mesh_plane()));
-    const Mesh *box = scene_add_mesh(scene, mesh_box());
-
-    const double one[3] = {1.1, 1.1, 1.1};
-    // The pot's bottom is domed: its edge is above its middle by 0.05.
-    const double middle[3] = {0, -0.05, 0};
-    const Mesh *teapot = scene_add_mesh(scene, mesh_teapot(16));
-    object_set_albedo(scene_add_object(scene, "teapot", teapot, one, middle),
-                      0.72f, 0.30f, 0.16f);
-    const double wall[3] = {0.14, 1.0, 2.2};
-    const double behind[3] = {1.75, 0.5, -0.3};
-    object_set_albedo(scene_add_object(scene, "wall", box, wall, behind), 0.52f,
-                      0.56f, 0.60f);
-    add_gate(scene, box);
-}
 
 void scene_build_thin(Scene *scene, const double values[])
 {

@@ -1,6 +1,6 @@
 // Scenes at the limits of what numbers can hold, or where the answer needs a
 // choice. `make stability` measures what becomes of them.
-#include "step1_shadowmap/base/scene/scene_build.h"
+#include "step1_shadowmap/base/scenes/build.h"
 
 #include <math.h> // atan, fmin, tan, INFINITY, NAN
 

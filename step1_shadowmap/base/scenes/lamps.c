@@ -1,5 +1,5 @@
 // Scenes in the light of a lamp: a spot and a point light.
-#include "step1_shadowmap/base/scene/scene_build.h"
+#include "step1_shadowmap/base/scenes/build.h"
 
 #include <math.h> // cos, sin
 

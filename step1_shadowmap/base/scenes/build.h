@@ -1,0 +1,55 @@
+// What more scenes need than those of the lesson, and their builders. A builder
+// fills a zeroed scene; its values are those of the scene's keys (table.c).
+#ifndef BASE_SCENES_BUILD_H
+#define BASE_SCENES_BUILD_H
+
+#include "step1_shadowmap/base/scene/scene_build.h" // scene_add_object, ...
+
+// mesh_plane() of side x side smaller squares. A rasteriser's positions inside
+// a triangle are as exact as a float as large as the triangle, so where a large
+// floor has to be flat to the last bits it is laid in tiles.
+Mesh mesh_tiles(int side);
+
+// A sphere of radius 1 at the origin, smooth normals; `segments` around the
+// equator and segments / 2 from pole to pole, at least 4.
+Mesh mesh_sphere(int segments);
+
+// A box that stands on a height: `foot` is the middle of its bottom.
+Object *scene_add_block(Scene *scene, const char *name, const Mesh *box,
+                        const double size[3], const double foot[3]);
+
+// A spot or point light that is aimed at a target; its radiance holds at the
+// distance `reference` from it.
+void scene_set_local_light(Scene *scene, LightKind kind,
+                           const double position[3], const double target[3],
+                           double reference);
+
+// daylight.c
+void scene_build_thin(Scene *scene, const double values[]);
+void scene_build_fence(Scene *scene, const double values[]);
+void scene_build_avenue(Scene *scene, const double values[]);
+void scene_build_crowd(Scene *scene, const double values[]);
+
+// closed.c
+void scene_build_empty(Scene *scene, const double values[]);
+void scene_build_grazing(Scene *scene, const double values[]);
+void scene_build_unlit(Scene *scene, const double values[]);
+void scene_build_offstage(Scene *scene, const double values[]);
+
+// lamps.c
+void scene_build_stage(Scene *scene, const double values[]);
+void scene_build_room(Scene *scene, const double values[]);
+
+// extreme.c
+void scene_build_lamp(Scene *scene, const double values[]);
+void scene_build_enclosed(Scene *scene, const double values[]);
+void scene_build_headlamp(Scene *scene, const double values[]);
+void scene_build_overhead(Scene *scene, const double values[]);
+void scene_build_coplanar(Scene *scene, const double values[]);
+void scene_build_slivers(Scene *scene, const double values[]);
+void scene_build_broken(Scene *scene, const double values[]);
+void scene_build_cut(Scene *scene, const double values[]);
+void scene_build_stiff(Scene *scene, const double values[]);
+void scene_build_speck(Scene *scene, const double values[]);
+
+#endif
