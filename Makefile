@@ -13,7 +13,7 @@ $(if $(filter-out [1] [2] [3] [4] [5],[$(value STEP)]),\
     $(error STEP is 1, 2, 3, 4 or 5, as in make test STEP=3))
 $(if $(and $(filter diff,$(MAKECMDGOALS)),$(filter 1,$(STEP))),\
     $(error No step is before 1. STEP is 2, 3, 4 or 5 here: make diff STEP=2))
-$(foreach goal,$(filter standalone exercise grade,$(MAKECMDGOALS)),\
+$(foreach goal,$(filter standalone lesson exercise grade,$(MAKECMDGOALS)),\
     $(if $(value DIR),,$(error say where: make $(goal) STEP=$(STEP) DIR=mine)))
 program := $(word $(STEP),$(PROGRAMS))
 before := $(word $(STEP),none $(PROGRAMS))
@@ -28,7 +28,7 @@ include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
 .PHONY: all programs set-up set-up-tests test identical stability fuzz mutants saved \
-    sanitize report table bench exercise grade standalone window diff figures lint \
+    sanitize report table bench exercise grade standalone lesson window diff figures lint \
     format clean help
 
 # All pictures are made again when a program or a shader has changed, or when
@@ -55,11 +55,15 @@ out/table.txt: $(MADE_FROM) tests/report/table.sh | out/steps.png
 standalone: ## copy exactly step STEP's files to DIR, which then builds alone
 	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) $($(program)) $(base)
 
+# A step's files but for its techniques.
+lesson = $(foreach file,$($1),$(if $(findstring /techniques/,$(file)),,$(file)))
+lesson: ## copy step STEP's lesson alone to DIR: it draws the default picture's bytes
+	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) \
+	    $(call lesson,$(program)) $(base_rest) $(call rooms,$(lesson_rooms))
+
 window: $(BUILD)/$(program) ## open step STEP in a window
 	@$< --window
 
-# A step's files but for its techniques.
-lesson = $(foreach file,$($1),$(if $(findstring /techniques/,$(file)),,$(file)))
 diff: ## what the lesson of step STEP changes against the one before it
 	@diff -u --label '$(before)/main.c' --label '$(program)/main.c' \
 	    $(before)/main.c $(program)/main.c || test $$? = 1

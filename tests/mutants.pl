@@ -229,20 +229,20 @@ my %mutants = (
         'find_shader(&(Program){.shaders = &(Shaders){0}}, files[numbered'
     ],
     'a driver that crashes without a word' => [
-        'robustness/bad_input', 'step1_shadowmap/base/gl/crash.c',
+        'robustness/bad_input', 'step1_shadowmap/base/safety/crash.c',
         'steered || steers(*variable)', 'steered && steers(*variable)'
     ],
     'what is printed is lost' => [
-        'robustness/printed', 'step1_shadowmap/base/system/printed.c',
+        'robustness/printed', 'step1_shadowmap/base/system/die.c',
         'fflush(stdout) != 0 || ferror(stdout)',
         'fflush(stdout) != 0 && feof(stdout)'
     ],
     'a display in the place of stdout' => [
-        'robustness/window', 'step1_shadowmap/base/system/printed.c',
+        'robustness/window', 'step1_shadowmap/base/safety/prepare.c',
         'F_GETFD) == -1', 'F_GETFD) == -2'
     ],
     'times of a map that is kept, without a word' => [
-        'robustness/printed', 'step1_shadowmap/base/bench/bench.c',
+        'robustness/printed', 'step1_shadowmap/base/measure/bench.c',
         'touched[0].texels == 0', 'touched[0].texels == 1'
     ],
     'a picture that nobody asked for' => [
@@ -250,19 +250,19 @@ my %mutants = (
         'other && !settings->window', 'other && settings->window'
     ],
     'a file in the place of a link' => [
-        'robustness/written', 'step1_shadowmap/base/files/file.c',
+        'robustness/written', 'step1_shadowmap/base/safety/whole_file.c',
         'replace(target, &old', 'replace(path, &old'
     ],
     'permissions that are lost' => [
-        'robustness/written', 'step1_shadowmap/base/files/file.c',
+        'robustness/written', 'step1_shadowmap/base/safety/whole_file.c',
         'old->st_mode & 07777', '0600'
     ],
     'a name that leaves no room for a longer one' => [
-        'robustness/written', 'step1_shadowmap/base/files/file.c',
+        'robustness/written', 'step1_shadowmap/base/safety/whole_file.c',
         'errno == ENAMETOOLONG', 'errno == ENOSYS'
     ],
     'a file of the part that another program left' => [
-        'robustness/killed',     'step1_shadowmap/base/files/file.c',
+        'robustness/killed',     'step1_shadowmap/base/safety/whole_file.c',
         'ftruncate(file, 0) != 0', 'lseek(file, 0, SEEK_END) < 0'
     ],
     'a picture that is stretched' => [

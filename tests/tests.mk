@@ -27,8 +27,7 @@ $(STABILITY_OBJECTS): $(BUILD)/obj/%.c.o: %.c | set-up
 # And step 5's own numbers, to be held against them.
 STABILITY_SHARED := $(BUILD)/obj/step5_chebyshev/chebyshev.c.o \
     $(BUILD)/obj/step5_chebyshev/techniques/guard/guard.c.o \
-    $(BUILD)/obj/step1_shadowmap/base/system/die.c.o \
-    $(BUILD)/obj/step1_shadowmap/base/system/memory.c.o
+    $(BUILD)/obj/step1_shadowmap/base/system/die.c.o
 $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)
 	@echo link $@
 	@$(CC) $(LDFLAGS) -o $@ $^ -lm
@@ -41,7 +40,7 @@ ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
     $(addprefix scene/,scene scene_table scene_build mesh) \
     $(addprefix scenes/,table daylight closed lamps extreme meshes lights finish) \
-    system/die system/memory)
+    system/die)
 ORACLE_BOUNDS := $(patsubst %,$(BUILD)/obj/tests/stability/%.c.o,\
     bound formulas search windows)
 EMBREE = $(patsubst /usr/include/%/rtcore.h,-l%,\

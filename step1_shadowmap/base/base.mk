@@ -2,12 +2,14 @@
 # from its list. Before this: ROOT (the tree's top), PROGRAMS (their names) and
 # for each program the list of that name.
 
-# Its rooms, the lowest first: base/README.md says what is where.
-base_rooms := system files gl scene light picture run scenes leave_out bench
-base := $(patsubst %,step1_shadowmap/base/%,\
+# Its rooms, the lowest first: base/README.md says what is where. A program can
+# do without the last ones, as the lesson alone does.
+lesson_rooms := system files gl scene light picture run
+base_rooms := $(lesson_rooms) scenes leave_out measure safety
+rooms = $(patsubst $(ROOT)/%,%,$(wildcard $(foreach room,$1,\
+    $(ROOT)/step1_shadowmap/base/$(room)/*.[ch]*)))
+base_rest := $(patsubst %,step1_shadowmap/base/%,\
     base.mk words.mk set-up.sh README.md) \
-    $(patsubst $(ROOT)/%,%,$(wildcard \
-    $(base_rooms:%=$(ROOT)/step1_shadowmap/base/%/*.[ch]*))) \
     step1_shadowmap/shaders/surface.glsl \
     step1_shadowmap/shaders/layer_only.glsl \
     step1_shadowmap/shaders/layer_face.glsl \
@@ -29,6 +31,7 @@ base := $(patsubst %,step1_shadowmap/base/%,\
     step1_shadowmap/shaders/footprint_nothing.glsl \
     step1_shadowmap/shaders/dump_nothing.glsl \
     step1_shadowmap/shaders/present.frag
+base := $(call rooms,$(base_rooms)) $(base_rest)
 
 # A single folder or a copy of it names what is missing and installs nothing.
 DEPS ?= no

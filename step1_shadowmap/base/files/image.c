@@ -6,7 +6,6 @@
 #include "step1_shadowmap/base/system/die.h"         // die
 #include "step1_shadowmap/base/files/file.h"         // file_write
 #include "step1_shadowmap/base/files/image_encode.h" // image_encode_png
-#include "step1_shadowmap/base/system/memory.h"      // memory_check
 
 bool image_name_is_known(const char *path)
 {

@@ -14,11 +14,7 @@
 #include <stddef.h> // NULL
 #include <stdlib.h> // free, getenv
 #include <string.h> // strlen
-#ifdef __GLIBC__
-#include <malloc.h> // mallopt
-#endif
 
-#include "step1_shadowmap/base/gl/crash.h"   // crash_explain
 #include "step1_shadowmap/base/system/die.h" // die, allocate
 #include "step1_shadowmap/base/gl/gl.h"      // gl_load
 
@@ -168,20 +164,8 @@ static Context create_window(const int size[2])
     return context;
 }
 
-// A software driver takes memory for a frame and frees it at the end. glibc
-// would give it back to the system, which has to clear each page again in the
-// next frame: that can take longer than to draw it (measured).
-static void keep_memory(void)
-{
-#ifdef __GLIBC__
-    mallopt(M_TRIM_THRESHOLD, 256 << 20); // bytes
-#endif
-}
-
 Context context_create(bool window, const int size[2])
 {
-    keep_memory();
-    crash_explain();
     return window ? create_window(size) : create_offscreen();
 }
 

@@ -1,7 +1,6 @@
 #include "step1_shadowmap/base/gl/gl.h"
 
-#include "step1_shadowmap/base/system/die.h"    // allocate, die, die_usage
-#include "step1_shadowmap/base/system/memory.h" // memory_check
+#include "step1_shadowmap/base/system/die.h" // allocate, die, die_usage
 
 static void GLAD_API_PTR stop_on_error(GLenum source, GLenum type, GLuint id,
                                        GLenum severity, GLsizei length,

@@ -2,8 +2,8 @@
 #include <stdio.h>  // printf
 #include <string.h> // strcmp
 
+#include "step1_shadowmap/base/system/die.h" // printed_check
 #include "step1_shadowmap/base/leave_out/leave_out.h"
-#include "step1_shadowmap/base/system/printed.h" // printed_check
 
 typedef struct Saved {
     size_t texels; // that are not drawn

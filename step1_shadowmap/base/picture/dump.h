@@ -1,5 +1,4 @@
-// What --dump writes: every intermediate map, and run.json that says how it
-// was made. The tests recompute each stage from these files.
+// What --dump writes: every intermediate map.
 #ifndef BASE_DUMP_H
 #define BASE_DUMP_H
 
@@ -12,9 +11,5 @@ void dump_image(const char *directory, const char *name, const float *pixels,
 // Writes every layer L of a target's texture as directory/file.L.exr, or of its
 // level K as directory/file.L.mK.exr.
 void dump_target(Target *target, const char *directory);
-
-// Writes run.json into the directory of --dump: the options, the origin and the
-// matrices in double, the OpenGL driver and the pass times.
-void dump_run(const Frame *frame);
 
 #endif

@@ -24,7 +24,7 @@ void leave_out_begin(Frame *frame, bool anew);
 // False: there are no maps.
 bool leave_out_nothing(Frame *frame);
 
-// base/bench: many frames, and the times of their passes.
+// base/measure: many frames, the times of their passes, and how a run was made.
 
 OptionTable bench_options(void);
 
@@ -37,5 +37,9 @@ bool bench_next(Frame *frame, int drawn);
 
 // Prints the times.
 void bench_print(void);
+
+// Writes run.json into the directory of --dump: the options, the origin and the
+// matrices in double, the OpenGL driver and the pass times.
+void measure_dump(const Frame *frame);
 
 #endif

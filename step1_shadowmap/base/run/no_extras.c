@@ -47,3 +47,8 @@ UNLESS_LINKED bool bench_next(Frame *frame, int drawn)
 UNLESS_LINKED void bench_print(void)
 {
 }
+
+UNLESS_LINKED void measure_dump(const Frame *frame)
+{
+    (void)frame;
+}

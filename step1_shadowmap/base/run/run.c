@@ -3,7 +3,7 @@
 #include <stdarg.h> // va_start
 #include <stdio.h>  // vsnprintf
 
-#include "step1_shadowmap/base/picture/dump.h"      // dump_run, dump_target
+#include "step1_shadowmap/base/picture/dump.h"      // dump_target
 #include "step1_shadowmap/base/picture/technique.h" // techniques_check, ...
 #include "step1_shadowmap/base/run/extras.h" // leave_out_look, bench_next
 
@@ -119,7 +119,7 @@ static void write_dump(Run *run, const char *directory)
             dump_target(frame->targets.list[i], directory);
         }
     }
-    dump_run(frame);
+    measure_dump(frame);
 }
 
 static void write_files(Run *run)

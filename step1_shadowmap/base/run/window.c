@@ -3,8 +3,8 @@
 #include <math.h>  // atan2, cos, fmax, fmin, lround, pow, sin, sqrt
 #include <stdio.h> // puts, snprintf
 
-#include "step1_shadowmap/base/scene/dvec.h"     // dvec_cross, dvec_dot, ...
-#include "step1_shadowmap/base/system/printed.h" // printed_check
+#include "step1_shadowmap/base/system/die.h" // printed_check
+#include "step1_shadowmap/base/scene/dvec.h" // dvec_cross, dvec_dot, ...
 
 static const double PI = 3.14159265358979323846;
 

@@ -4,8 +4,8 @@
 #include <stdlib.h> // strtod
 #include <string.h> // memset, strchr, strcmp, strcspn, strncmp
 
-#include "step1_shadowmap/base/system/die.h" // die_usage
-#include "step1_shadowmap/base/scene/dvec.h" // dvec_normalize, RADIANS
+#include "step1_shadowmap/base/system/die.h"        // die_usage
+#include "step1_shadowmap/base/scene/dvec.h"        // dvec_normalize, RADIANS
 #include "step1_shadowmap/base/scene/scene_table.h" // scene_table
 
 enum { COMMON_KEYS = 3 };

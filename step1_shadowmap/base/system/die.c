@@ -2,13 +2,12 @@
 
 #include "step1_shadowmap/base/system/die.h"
 
-#include <errno.h> // program_invocation_short_name
+#include <errno.h> // errno, program_invocation_short_name
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdint.h> // SIZE_MAX
 #include <stdlib.h>
-
-#include "step1_shadowmap/base/system/memory.h" // memory_check
+#include <string.h> // strerror
 
 static void print(const char *format, va_list arguments)
 {
@@ -57,4 +56,22 @@ void *allocate(size_t count, size_t size)
         die("no memory for %zu x %zu bytes", count, size);
     }
     return memory;
+}
+
+void printed_check(void)
+{
+    errno = 0;
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        die("cannot write to stdout: %s",
+            errno == 0 ? "a part is lost" : strerror(errno));
+    }
+}
+
+__attribute__((weak)) void safety_prepare(void)
+{
+}
+
+__attribute__((weak)) void memory_check(size_t bytes, const char *format, ...)
+{
+    (void)bytes, (void)format;
 }

@@ -24,6 +24,22 @@ void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 // count * size bytes, all zero; free() them. Dies when there is no memory.
 void *allocate(size_t count, size_t size);
 
+// Dies if something that was printed on stdout did not get there: the disk is
+// full, or nobody reads it.
+void printed_check(void);
+
+// base/safety has these two; without it they do nothing.
+
+// To be called before all else, so that what happens to a program from outside
+// ends in one line too.
+void safety_prepare(void);
+
+// Dies if so many bytes are too many, before they are allocated: what has no
+// memory behind it is often given all the same, and the process is killed when
+// it uses it. `format` says what they are for.
+void memory_check(size_t bytes, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 #ifdef __cplusplus
 }
 #endif

@@ -7,42 +7,16 @@
 #include <stdlib.h> // strtod, strtol
 #include <string.h> // strcmp, strncmp
 
-#include "step1_shadowmap/base/system/die.h"     // die, die_usage
-#include "step1_shadowmap/base/system/printed.h" // printed_check, printed_prepare
+#include "step1_shadowmap/base/system/die.h" // die, die_usage
 
 static void *value_of(const OptionTable *table, const Option *option)
 {
     return (char *)table->settings + option->offset;
 }
 
-void options_write_text(FILE *file, const char *text)
-{
-    fputc('"', file);
-    for (; *text != '\0'; text++) {
-        unsigned char letter = (unsigned char)*text;
-        if (letter == '"' || letter == '\\') {
-            fprintf(file, "\\%c", letter);
-        } else if (letter < ' ') {
-            fprintf(file, "\\u%04x", letter);
-        } else {
-            fputc(letter, file);
-        }
-    }
-    fputc('"', file);
-}
-
-// For --help, or (quoted) for JSON.
-static void write_text(FILE *file, const char *text, bool quoted)
-{
-    if (quoted) {
-        options_write_text(file, text);
-    } else {
-        fputs(text, file);
-    }
-}
-
-static void write_value(FILE *file, const OptionTable *table,
-                        const Option *option, bool quoted)
+void options_write_value(FILE *file, const OptionTable *table,
+                         const Option *option,
+                         void write_text(FILE *, const char *))
 {
     char extent_text[32];
     const void *value = value_of(table, option);
@@ -55,7 +29,7 @@ static void write_value(FILE *file, const OptionTable *table,
     case OPTION_TEXT:
     case OPTION_CHOICE:
         text = *(const char *const *)value;
-        write_text(file, text == NULL ? "" : text, quoted);
+        write_text(file, text == NULL ? "" : text);
         break;
     case OPTION_INTEGER:
     case OPTION_ODD:
@@ -63,7 +37,7 @@ static void write_value(FILE *file, const OptionTable *table,
         break;
     case OPTION_NUMBER:
         if (*(const double *)value == OPTION_AUTO) {
-            write_text(file, option->choices, quoted);
+            write_text(file, option->choices);
         } else {
             fprintf(file, "%.12g", *(const double *)value);
         }
@@ -72,9 +46,14 @@ static void write_value(FILE *file, const OptionTable *table,
     case OPTION_SIDE:
         snprintf(extent_text, sizeof extent_text, "%dx%d", extent[0],
                  extent[1]);
-        write_text(file, extent_text, quoted);
+        write_text(file, extent_text);
         break;
     }
+}
+
+static void write_plain(FILE *file, const char *text)
+{
+    fputs(text, file);
 }
 
 static void print_help(const char *program, const OptionTable tables[])
@@ -93,7 +72,7 @@ static void print_help(const char *program, const OptionTable tables[])
                                *text == NULL);
             if (!no_default) {
                 fputs(" (default ", stdout);
-                write_value(stdout, table, option, false);
+                options_write_value(stdout, table, option, write_plain);
                 fputs(")", stdout);
             }
             putchar('\n');
@@ -267,7 +246,7 @@ OptionTable options_table(const Option *options, void *settings)
 void options_parse(int argc, char **argv, OptionTable tables[])
 {
     KnownOptions known = {0};
-    printed_prepare();
+    safety_prepare();
     join_tables(tables, &known);
     // Before any value is read: the help shows the defaults.
     help_if_asked(argc, argv, tables);
@@ -335,16 +314,4 @@ bool options_is(const OptionTable tables[], const char *name,
 {
     const char *const *value = options_value(tables, name);
     return value != NULL && strcmp(*value, choice) == 0;
-}
-
-void options_write_json(FILE *file, const OptionTable tables[])
-{
-    const char *separator = "";
-    for (const OptionTable *table = tables; table->options; table++) {
-        for (const Option *option = table->options; option->name; option++) {
-            fprintf(file, "%s\n    \"%s\": ", separator, option->name);
-            write_value(file, table, option, true);
-            separator = ",";
-        }
-    }
 }

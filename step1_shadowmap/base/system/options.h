@@ -60,10 +60,9 @@ bool options_on(const OptionTable tables[], const char *flag);
 bool options_is(const OptionTable tables[], const char *name,
                 const char *choice);
 
-// A text as a JSON string, quoted and escaped.
-void options_write_text(FILE *file, const char *text);
-
-// The options and their values as the members of a JSON object.
-void options_write_json(FILE *file, const OptionTable tables[]);
+// An option's value, of which texts are written by `write_text`.
+void options_write_value(FILE *file, const OptionTable *table,
+                         const Option *option,
+                         void write_text(FILE *, const char *));
 
 #endif

@@ -1,6 +1,5 @@
+// Whether there is memory for something large.
 #define _POSIX_C_SOURCE 200809L // sysconf
-
-#include "step1_shadowmap/base/system/memory.h"
 
 #include <stdarg.h>       // va_list
 #include <stdint.h>       // SIZE_MAX
@@ -8,7 +7,7 @@
 #include <sys/resource.h> // getrlimit
 #include <unistd.h>       // sysconf
 
-#include "step1_shadowmap/base/system/die.h" // die
+#include "step1_shadowmap/base/system/die.h" // die, memory_check
 
 // What is smaller is not looked at: it is given, or it is not.
 enum { LARGE = 1 << 24 };
@@ -61,7 +60,9 @@ static size_t left_of_limit(void)
     return limit.rlim_cur > used ? (size_t)limit.rlim_cur - used : 0;
 }
 
-size_t memory_left(void)
+// Bytes that this process can still get: what the system has left, and at most
+// what a limit on the process (ulimit -v) leaves it.
+static size_t memory_left(void)
 {
     size_t system = left_in_system();
     size_t limit = left_of_limit();

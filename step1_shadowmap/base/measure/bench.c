@@ -5,7 +5,6 @@
 
 #include "step1_shadowmap/base/run/extras.h" // bench_options, ...
 #include "step1_shadowmap/base/system/die.h" // allocate, complain, die_usage
-#include "step1_shadowmap/base/system/printed.h" // printed_check
 
 enum {
     MAX_FRAMES = 1024, // the warm-up included

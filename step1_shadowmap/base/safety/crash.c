@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // environ, program_invocation_short_name
 
-#include "step1_shadowmap/base/gl/crash.h"
+#include "step1_shadowmap/base/safety/crash.h"
 
 #include <errno.h>  // program_invocation_short_name
 #include <signal.h> // signal
