@@ -8,8 +8,10 @@ use Test::More;
 use VSM;
 
 my $base = 'step1_shadowmap/base';
-my ($list) = slurp( root() . "/$base/base.mk" ) =~ /^base_rooms := (.*)/m;
-my @rooms = split ' ', $list // '';
+my $lists = slurp( root() . "/$base/base.mk" );
+my ($lesson) = $lists =~ /^lesson_rooms := (.*)/m;
+my ($others) = $lists =~ /^base_rooms := \$\(lesson_rooms\) (.*)/m;
+my @rooms = map { split ' ', $_ // '' } $lesson, $others;
 my %place = map { $rooms[$_] => $_ } 0 .. $#rooms;
 cmp_ok( @rooms, '>', 5, 'base.mk lists the rooms' );
 

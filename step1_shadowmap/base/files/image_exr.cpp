@@ -4,73 +4,16 @@
 #include <ImfChannelList.h> // Channel
 #include <ImfFrameBuffer.h> // FrameBuffer, Slice
 #include <ImfHeader.h>      // Header
-#include <ImfIO.h>          // OStream
 #include <ImfOutputFile.h>  // OutputFile
-#include <algorithm>        // copy_n, max
-#include <cstdint>          // uint64_t
+#include <ImfStdIO.h>       // StdOSStream
 #include <cstdio>           // snprintf
-#include <cstdlib>          // free, realloc
+#include <cstdlib>          // malloc
+#include <cstring>          // memcpy
 #include <exception>
-#include <new>     // bad_alloc
-#include <utility> // exchange
+#include <new> // bad_alloc
+#include <string>
 
-// The file: whether the disk has room for it is image.c's to find out. Its
-// bytes come from malloc: C frees them.
-class Memory : public Imf::OStream
-{
-  public:
-    Memory() : Imf::OStream("memory")
-    {
-    }
-    ~Memory() override
-    {
-        std::free(bytes);
-    }
-
-    void write(const char data[], int size) override
-    {
-        std::size_t end = place + std::size_t(size);
-        if (end > room) {
-            grow(std::max(end, 2 * room));
-        }
-        std::copy_n(data, size, bytes + place);
-        place = end;
-        count = std::max(count, end);
-    }
-
-    std::uint64_t tellp() override
-    {
-        return place;
-    }
-    void seekp(std::uint64_t to) override
-    {
-        place = to;
-    }
-
-    // Whose they are then.
-    char *release()
-    {
-        return std::exchange(bytes, nullptr);
-    }
-
-    std::size_t count = 0;
-
-  private:
-    void grow(std::size_t size)
-    {
-        void *larger = std::realloc(bytes, size);
-        if (larger == nullptr) {
-            throw std::bad_alloc();
-        }
-        bytes = static_cast<char *>(larger);
-        room = size;
-    }
-
-    char *bytes = nullptr;
-    std::size_t place = 0, room = 0;
-};
-
-static void write_exr(Memory &memory, const float *pixels, int width,
+static void write_exr(Imf::OStream &memory, const float *pixels, int width,
                       int height, int channels)
 {
     static const char *const grey[] = {"Y"};
@@ -104,10 +47,15 @@ ImageBytes image_encode_exr(const float *pixels, int width, int height,
 {
     ImageBytes result = {};
     try {
-        Memory memory;
+        Imf::StdOSStream memory;
         write_exr(memory, pixels, width, height, channels);
-        result.count = memory.count;
-        result.bytes = memory.release();
+        const std::string bytes = memory.str();
+        result.count = bytes.size();
+        result.bytes = std::malloc(bytes.size()); // C frees it
+        if (result.bytes == nullptr) {
+            throw std::bad_alloc();
+        }
+        std::memcpy(result.bytes, bytes.data(), bytes.size());
     } catch (const std::exception &error) { // out of memory, most likely
         std::snprintf(result.reason, sizeof result.reason, "%s", error.what());
     }
