@@ -84,16 +84,23 @@ $(BUILD)/$1: $(call objects,$1) $(BUILD)/glad/gl.o
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call link_rule,$p)))
 
+# make at the top and in a step's folder make the same objects, by other names:
+# so what an object needs is written from ROOT and BUILD.
+rooted = sed -i -E 's!(^| )([.]{1,2}/)?(step[1-5]_|tests/)!\1$$(ROOT)/\3!g;\
+    s!(^| )([.]{1,2}/)?build/!\1$$(BUILD)/!g' $(@:.o=.d)
 $(BUILD)/obj/%.c.o: $(ROOT)/%.c $(BUILD)/glad/include/glad/gl.h
 	@mkdir -p $(@D)
 	@echo compile $*.c
-	@$(CC) -std=c11 $(CFLAGS) $(WARNINGS) $(INCLUDES) -MMD -MP -c -o $@ $<
+	@$(CC) -std=c11 $(CFLAGS) $(WARNINGS) $(INCLUDES) \
+	    -MMD -MP -MT '$$(BUILD)/obj/$*.c.o' -c -o $@ $<
+	@$(rooted)
 
 $(BUILD)/obj/%.cpp.o: $(ROOT)/%.cpp | set-up
 	@mkdir -p $(@D)
 	@echo compile $*.cpp
 	@$(CXX) -std=c++17 $(CXXFLAGS) $(WARNINGS) $(INCLUDES) \
-	    -MMD -MP -c -o $@ $<
+	    -MMD -MP -MT '$$(BUILD)/obj/$*.cpp.o' -c -o $@ $<
+	@$(rooted)
 
 # The GL loader, written by glad from the specification it carries (2>&1: it
 # reports every step on stderr; a failure still prints and fails).

@@ -72,6 +72,14 @@ sub check_build {
     unlike( $again->{out}, qr/compile|link|glad/,
         "step $step: a second make has nothing to do" );
     is( $again->{status}, 0, "step $step: and is content" );
+
+    # The top and the folder make the same objects by other names.
+    my $other = $step == 4 ? $folder : "$folder/" . program_name($step);
+    unlike( make( '-C', $other, '-n', @quick )->{out},
+        qr/compile|link/, "step $step: nor has one from elsewhere" );
+    utime undef, undef, "$folder/step1_shadowmap/shadow_map.h";
+    like( make( '-C', $other, '-n', @quick )->{out},
+        qr/compile .*main\.c/, "step $step: it knows what a header changes" );
     return;
 }
 
