@@ -298,7 +298,7 @@ my %mutants = (
         'max(M2 - M1 * M1, min_variance)', 'M2 - M1 * M1'
     ],
     'no least variance' => [
-        'step5', 'step5_chebyshev/techniques/guard/guard_constant.glsl',
+        'soft', 'step5_chebyshev/techniques/guard/guard_constant.glsl',
         'max(variance_of(moments), min_variance)', 'variance_of(moments)'
     ],
     'lit is not told from shadowed' => [
@@ -355,7 +355,7 @@ my %mutants = (
     ],
     'merged about a tap at the rim' => [
         'central', 'step4_blur/techniques/shared/blur_central.frag',
-        'map_texel(middle))', 'map_texel(middle - sides.x * axis))'
+        'map_texel(middle))', 'map_texel(middle - radius * axis))'
     ],
     'a mean that is not moved back' => [
         'central', 'step3_moments/techniques/central/merge_central.glsl',
