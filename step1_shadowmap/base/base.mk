@@ -11,9 +11,6 @@ rooms = $(patsubst $(ROOT)/%,%,$(wildcard $(foreach room,$1,\
 base_rest := $(patsubst %,step1_shadowmap/base/%,\
     base.mk words.mk set-up.sh README.md) \
     step1_shadowmap/shaders/surface.glsl \
-    step1_shadowmap/shaders/layer_only.glsl \
-    step1_shadowmap/shaders/layer_face.glsl \
-    step1_shadowmap/shaders/layer_split.glsl \
     step1_shadowmap/shaders/show_shaded.glsl \
     step1_shadowmap/shaders/show_visibility.glsl \
     step1_shadowmap/shaders/show_depth.glsl \

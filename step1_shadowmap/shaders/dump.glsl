@@ -5,14 +5,12 @@ layout(location = 2) out vec3 dumped_position;
 layout(location = 3) out vec3 dumped_normal;
 layout(location = 4) out float dumped_visibility;
 layout(location = 5) out vec4 dumped_footprint;  // only where it was used
-layout(location = 6) out vec4 dumped_handover;  // u, v, t in the next layer
 
-void dump(Receiver receiver, Receiver next, float share, float lit)
+void dump(Receiver receiver, float lit)
 {
     dumped_receiver = vec4(receiver.uv, receiver.depth, float(receiver.layer));
     dumped_position = receiver.relative_position;
     dumped_normal = receiver.normal;
     dumped_visibility = lit;
     dumped_footprint = footprint(receiver);
-    dumped_handover = vec4(next.uv, next.depth, share);
 }

@@ -1,5 +1,5 @@
 // Without --dump there is nothing to keep.
 
-void dump(Receiver receiver, Receiver next, float share, float lit)
+void dump(Receiver receiver, float lit)
 {
 }

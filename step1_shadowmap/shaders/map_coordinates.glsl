@@ -14,17 +14,15 @@ int lookups = 0;  // so far, for this pixel; for --show plan
 // parallel light it is 1.
 Receiver map_coordinates(vec3 relative_position, vec3 normal, int layer)
 {
-    int held = min(layer, layers - 1);
-    vec4 map_position = map_from_relative[held] * vec4(relative_position, 1.0);
+    vec4 map_position = map_from_relative[layer] * vec4(relative_position, 1.0);
     return Receiver(map_position.xy / map_position.w,
-                    light_depth(relative_position, held), layer, normal,
+                    light_depth(relative_position, layer), layer, normal,
                     relative_position);
 }
 
 bool inside_map(Receiver receiver)
 {
     vec3 position = vec3(receiver.uv, receiver.depth);
-    return receiver.layer < layers &&
-           all(greaterThanEqual(position, vec3(0.0))) &&
+    return all(greaterThanEqual(position, vec3(0.0))) &&
            all(lessThanEqual(position, vec3(1.0)));
 }

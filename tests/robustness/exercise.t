@@ -208,7 +208,7 @@ ok( !-e "$work/made" && !-e "$mine/made" && !-e "$mine/build",
 ok( !-e "$mine/grade/map_coordinates.png", 'no picture is left of before' );
 
 # Wrong only where a map has several layers.
-my $face = 'step1_shadowmap/shaders/layer_face.glsl';
+my $face = 'step1_shadowmap/techniques/lights/layer_face.glsl';
 spew( "$mine/$face", slurp("$mine/$face") =~ s/2 \* axis/axis/r );
 $run = script( 'grade', 1, $mine );
 is( $run->{status}, 1, 'what was changed besides is not right' );

@@ -108,8 +108,9 @@ static void widen_to_map(LightFrame *frame, const Views *views)
     }
 }
 
-void fit_directional(Views *views, const Scene *scene)
+void fit_directional(Views *views, const Scene *scene, const ViewsSize *size)
 {
+    (void)size;
     const Light *light = &scene->light;
     LightView *view = &views->light[0];
     views->layers = 1;

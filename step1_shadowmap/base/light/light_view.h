@@ -1,4 +1,4 @@
-// How each kind of light sees the scene: its views, which views_fit fits.
+// How a parallel light sees the scene.
 #ifndef BASE_LIGHT_VIEW_H
 #define BASE_LIGHT_VIEW_H
 
@@ -14,14 +14,7 @@ typedef struct LightFrame {
 void bound_casters(LightFrame *frame, const Scene *scene,
                    const double origin[3]);
 
-// Each sets the layers, their matrices and depths, and the light's position;
-// origin, map size and border have been set.
-void fit_directional(Views *views, const Scene *scene);
-void fit_spot(Views *views, const Scene *scene);
-void fit_point(Views *views, const Scene *scene);
-
-// A directional light's views, each of a part of the way that the camera sees
-// (Zhang 2006); `aspect` is the picture's width over its height.
-void fit_splits(Views *views, const Scene *scene, double aspect, int count);
+// A directional light's view, of all that casts.
+void fit_directional(Views *views, const Scene *scene, const ViewsSize *size);
 
 #endif

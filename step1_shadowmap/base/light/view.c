@@ -45,26 +45,6 @@ static int greatest(int a, int b)
     return a > b ? a : b;
 }
 
-static void fit_light(Views *views, const Scene *scene, double aspect,
-                      int splits)
-{
-    switch (scene->light.kind) {
-    case LIGHT_DIRECTIONAL:
-        if (splits > 1) {
-            fit_splits(views, scene, aspect, splits);
-        } else {
-            fit_directional(views, scene);
-        }
-        break;
-    case LIGHT_SPOT:
-        fit_spot(views, scene);
-        break;
-    case LIGHT_POINT:
-        fit_point(views, scene);
-        break;
-    }
-}
-
 void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
                int reach)
 {
@@ -76,7 +56,7 @@ void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
     views->height = size->map[1];
     int side = least(views->width, views->height);
     views->border = least(greatest(2 * reach, side / 16), (side - 1) / 2);
-    fit_light(views, scene, aspect, size->splits);
+    (size->fit != NULL ? size->fit : fit_directional)(views, scene, size);
     draw_list_all(&views->seen, scene);
     for (int layer = 0; layer < views->layers; layer++) {
         LightView *view = &views->light[layer];
@@ -106,8 +86,6 @@ void view_set_light(GLuint program, const Views *views)
     set_vector(program, "light_position", views->light_position);
     glUniform1f(glGetUniformLocation(program, "depth_per_distance"),
                 (float)views->depth_per_distance);
-    glUniform1i(glGetUniformLocation(program, "layers"),
-                views->layers); // where it is no constant
     for (int layer = 0; layer < views->layers; layer++) {
         const LightView *view = &views->light[layer];
         char name[48];
@@ -115,8 +93,5 @@ void view_set_light(GLuint program, const Views *views)
         view_set_matrix(program, name, view->map_from_relative);
         snprintf(name, sizeof name, "depth_from_relative[%d]", layer);
         set_vector(program, name, view->depth_from_relative);
-        snprintf(name, sizeof name, "split_range[%d]", layer);
-        glUniform2f(glGetUniformLocation(program, name), (float)view->handover,
-                    (float)view->end);
     }
 }

@@ -48,14 +48,19 @@ typedef struct Views {
                 // looks up, but those outside a parallel light's casters
 } Views;
 
-typedef struct ViewsSize {
+typedef struct ViewsSize ViewsSize;
+
+// Sets the layers, their matrices and depths, and the light's position; origin,
+// map size and border have been set.
+typedef void ViewsFit(Views *views, const Scene *scene, const ViewsSize *size);
+
+struct ViewsSize {
     int picture[2]; // pixels
     int map[2];     // texels of a layer
-    int splits;     // views of a directional light
-} ViewsSize;
+    ViewsFit *fit;  // NULL: a directional light's one view
+};
 
-// Fits the views to the scene: one for a directional and a spot light, six for
-// a point light, one per split. Everything is drawn into each and looked up.
+// Fits the views to the scene. Everything is drawn into each and looked up.
 // `reach` is how many texels a filter reads to each side. Texels are square in
 // the world. The border is at least twice the reach: a receiver within reach of
 // a caster must not have the map's edge within reach too, or the far depth
@@ -69,8 +74,8 @@ void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
 void view_set_matrix(GLuint program, const char *name,
                      const double matrix[4][4]);
 
-// Sets the uniforms of light_depth.glsl and of layer_split.glsl, and
-// map_from_relative, an array of mat4 with an element for each layer.
+// Sets the uniforms of light_depth.glsl, and map_from_relative, an array of
+// mat4 with an element for each layer.
 void view_set_light(GLuint program, const Views *views);
 
 #endif

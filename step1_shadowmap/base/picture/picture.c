@@ -1,6 +1,5 @@
 #include "step1_shadowmap/base/picture/picture.h"
 
-#include <math.h>   // sin
 #include <stdlib.h> // free
 #include <string.h> // memcpy, strcmp
 
@@ -13,11 +12,12 @@ enum { MAX_FILES = PROGRAM_MAX_FILES };
 
 const char picture_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
 
-// A spot loses its brightness between this part of its cone and the edge.
-#define BRIGHT_PART 0.8
-
 // The places in the list below that need a name.
-enum { OUTPUT_IMAGE = 0, OUTPUT_FOOTPRINT = 5, OUTPUT_HANDOVER = 6 };
+enum {
+    OUTPUT_IMAGE = 0,
+    OUTPUT_FOOTPRINT = 5,
+    OUTPUT_HANDOVER = PICTURE_HANDOVER
+};
 
 // What the fragment shader writes, in the order of its output locations.
 static const struct {
@@ -32,7 +32,7 @@ static const struct {
     {"normal", GL_RGBA32F, 3, {0, 0, 0, 0}},
     {"visibility", GL_R32F, 1, {1, 1, 1, 1}},
     {"footprint", GL_RGBA32F, 4, {0, 0, 0, 0}}, // where it is used
-    {"handover", GL_RGBA32F, 4, {0, 0, 0, 0}},  // of splits
+    {"handover", GL_RGBA32F, 4, {0, 0, 0, 0}},  // where it is used
 };
 
 static bool uses_footprint(const char *const visibility[])
@@ -50,19 +50,9 @@ static void choose_outputs(Picture *picture, const BaseSettings *settings)
     for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
         bool used = i == OUTPUT_IMAGE || dumped;
         used = used && (i != OUTPUT_FOOTPRINT || picture->footprint);
-        used = used && (i != OUTPUT_HANDOVER || settings->splits > 1);
+        used = used && i != OUTPUT_HANDOVER;
         picture->target.formats[i] = used ? outputs[i].format : GL_NONE;
     }
-}
-
-// How a position finds its layer of the map.
-static const char *layer_shader(const BaseSettings *settings, LightKind kind)
-{
-    if (kind == LIGHT_POINT) {
-        return "step1_shadowmap/shaders/layer_face.glsl";
-    }
-    return settings->splits > 1 ? "step1_shadowmap/shaders/layer_split.glsl"
-                                : "step1_shadowmap/shaders/layer_only.glsl";
 }
 
 static Program *create_program(Frame *frame, bool footprint,
@@ -76,9 +66,8 @@ static Program *create_program(Frame *frame, bool footprint,
         "step1_shadowmap/shaders/surface.glsl",
         "step1_shadowmap/shaders/light_depth.glsl",
         "step1_shadowmap/shaders/linear_depth.glsl",
-        layer_shader(settings, frame->scene.light.kind),
         "step1_shadowmap/shaders/map_coordinates.glsl"};
-    int count = 6;
+    int count = 5;
     for (int i = 0; visibility[i] != NULL; i++) {
         if (count + 6 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
@@ -140,35 +129,11 @@ void picture_create(Picture *picture, Frame *frame, Target *map,
                                     settings->size[0], settings->size[1]);
 }
 
-// 1 - cos(angle), without taking two numbers near 1 from each other.
-static float spread_of(double angle)
-{
-    double half = sin(0.5 * angle);
-    return (float)(2 * half * half);
-}
-
-// A light that is not a spot has a cone that holds every direction, and one
-// that is parallel is everywhere at the distance where its radiance holds.
-static void set_falloff(GLuint program, const Light *light)
-{
-    bool local = light->kind != LIGHT_DIRECTIONAL;
-    bool spot = light->kind == LIGHT_SPOT;
-    glUniform1f(glGetUniformLocation(program, "reference_distance"),
-                local ? (float)light->reference : 1);
-    glUniform3f(glGetUniformLocation(program, "cone_axis"),
-                (float)light->direction[0], (float)light->direction[1],
-                (float)light->direction[2]);
-    glUniform2f(glGetUniformLocation(program, "cone_spreads"),
-                spot ? spread_of(light->cone) : 4,
-                spot ? spread_of(BRIGHT_PART * light->cone) : 3);
-}
-
 static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
 {
     const Light *light = &scene->light;
     view_set_matrix(program, "clip_from_relative", views->clip_from_relative);
     view_set_light(program, views);
-    set_falloff(program, light);
     glUniform1i(glGetUniformLocation(program, "shadow_map"), 0);
     glUniform3fv(glGetUniformLocation(program, "radiance"), 1, light->radiance);
     glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light->ambient);

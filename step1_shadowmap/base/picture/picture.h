@@ -10,6 +10,9 @@
 // to know how far apart the pixels are in the map.
 extern const char picture_footprint[];
 
+// The output that a technique with more than one lookup may write for --dump.
+enum { PICTURE_HANDOVER = 6 };
+
 typedef struct Picture {
     Target target;      // the picture; with --dump further outputs
     Target derivatives; // across the screen, for --plan
@@ -40,7 +43,7 @@ void picture_write(const Picture *picture, const char *path);
 
 // Writes receiver, position, normal, visibility and image (.exr) into the
 // directory, footprint where the list has picture_footprint, and handover where
-// there are splits; needs a picture that was made with --dump.
+// a technique writes it; needs a picture that was made with --dump.
 void picture_dump(const Picture *picture, const char *directory);
 
 #endif

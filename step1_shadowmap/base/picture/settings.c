@@ -18,20 +18,6 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, scene),
      .argument = "NAME[:key=value,...]",
      .help = "the scene to draw"},
-    {.name = "light",
-     .kind = OPTION_CHOICE,
-     .offset = offsetof(BaseSettings, light),
-     .choices = "directional,spot,point",
-     .help = "the kind of light, in place of the scene's own"},
-    {.name = "splits",
-     .kind = OPTION_INTEGER,
-     .offset = offsetof(BaseSettings, splits),
-     .minimum = 1,
-     .maximum = VIEW_MAX_LAYERS,
-     .argument = "N",
-     .help =
-         "parts of the view with a map each, of a directional light; 1: one "
-         "map, of everything that casts"},
     {.name = "list-scenes",
      .kind = OPTION_FLAG,
      .offset = offsetof(BaseSettings, list_scenes),
@@ -148,7 +134,6 @@ void base_settings(BaseSettings *settings, int step, const char *program,
                                .map_size = {512, 512},
                                .output = settings->default_output,
                                .show = "shaded",
-                               .splits = 1,
                                .context = "osmesa"};
     snprintf(settings->default_output, sizeof settings->default_output,
              "out/%s.png", program);
@@ -183,12 +168,6 @@ void base_settings_check(const BaseSettings *settings)
 void base_create_scene(const BaseSettings *settings, Scene *scene)
 {
     scene_create(scene, settings->scene, settings->light);
-    LightKind kind = scene->light.kind;
-    if (settings->splits > 1 && kind != LIGHT_DIRECTIONAL) {
-        die_usage("--splits %d are of a directional light, and this one is a "
-                  "%s light: drop --splits, or say --light directional",
-                  settings->splits, light_kind_name(kind));
-    }
 }
 
 // Of the default output, which is in one.
@@ -227,5 +206,5 @@ ViewsSize base_views_size(const BaseSettings *settings)
 {
     return (ViewsSize){{settings->size[0], settings->size[1]},
                        {settings->map_size[0], settings->map_size[1]},
-                       settings->splits};
+                       settings->fit};
 }

@@ -27,7 +27,7 @@ typedef struct BaseSettings {
     const char *shaders;        // directory, or NULL
     bool window;
     const char *context;
-    int splits;  // views of a directional light
+    ViewsFit *fit; // of a light that is not directional, or has many views
     bool prints; // the run is for what it prints on stdout: it writes a picture
                  // only where --output names one
 } BaseSettings;
@@ -49,8 +49,7 @@ const ShowMode *base_show_mode(const BaseSettings *settings);
 // options_parse.
 void base_settings_check(const BaseSettings *settings);
 
-// Builds the scene of --scene and --light. Refuses (status 2) splits of a light
-// that is not parallel.
+// Builds the scene of --scene.
 void base_create_scene(const BaseSettings *settings, Scene *scene);
 
 // Makes the directories of the default output and of --dump, once everything

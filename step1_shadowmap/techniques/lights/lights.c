@@ -1,8 +1,26 @@
-#include <math.h> // fmax, fmin, tan, INFINITY
+// --light: spot and point lights, each with its views.
+#include <math.h> // fmax, fmin, sin, tan, INFINITY
 
-#include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_dot, dvec_frame
-#include "step1_shadowmap/base/light/light_view.h" // fit_point, fit_spot
+#include "step1_shadowmap/base/light/light_view.h" // fit_directional
 #include "step1_shadowmap/base/light/region.h"     // region_include_scene
+#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_dot, dvec_frame
+
+static struct {
+    const char *kind;   // or NULL: the scene's own
+    ViewsFit *parallel; // of another technique, for a directional light
+} settings;
+
+static const Option options[] = {
+    {.name = "light",
+     .kind = OPTION_CHOICE,
+     .choices = "directional,spot,point",
+     .help = "the kind of light, in place of the scene's own"},
+    {0},
+};
+
+// A spot loses its brightness between this part of its cone and the edge.
+#define BRIGHT_PART 0.8
 
 // Distances from the light between which everything is that it can see.
 typedef struct DepthRange {
@@ -80,7 +98,7 @@ static void set_light(Views *views, const Light *light, const DepthRange *range)
 }
 
 // One view that holds the cone.
-void fit_spot(Views *views, const Scene *scene)
+static void fit_spot(Views *views, const Scene *scene)
 {
     const Light *light = &scene->light;
     const double up[3] = {0, 1, 0};
@@ -100,7 +118,7 @@ void fit_spot(Views *views, const Scene *scene)
 // Six views, each a little wider than the 90 degrees that it answers for, so
 // that a filter at its rim reads what lies behind the seam from its own layer.
 // They share near and far: a depth means the same in each.
-void fit_point(Views *views, const Scene *scene)
+static void fit_point(Views *views, const Scene *scene)
 {
     double axes[6][3][3] = {0};
     double half[2];
@@ -120,3 +138,67 @@ void fit_point(Views *views, const Scene *scene)
                  &range);
     }
 }
+
+static void fit(Views *views, const Scene *scene, const ViewsSize *size)
+{
+    if (scene->light.kind == LIGHT_SPOT) {
+        fit_spot(views, scene);
+    } else if (scene->light.kind == LIGHT_POINT) {
+        fit_point(views, scene);
+    } else {
+        (settings.parallel != NULL ? settings.parallel
+                                   : fit_directional)(views, scene, size);
+    }
+}
+
+static void check(Frame *frame)
+{
+    frame->settings.light = settings.kind;
+    settings.parallel = frame->settings.fit;
+    frame->settings.fit = fit;
+}
+
+static bool prepare(Frame *frame)
+{
+    static const char *const spot[] = {
+        "step1_shadowmap/techniques/lights/layer_only.glsl",
+        "step1_shadowmap/techniques/lights/scene_lights.frag", NULL};
+    static const char *const point[] = {
+        "step1_shadowmap/techniques/lights/layer_face.glsl",
+        "step1_shadowmap/techniques/lights/scene_lights.frag", NULL};
+    LightKind kind = frame->scene.light.kind;
+    if (kind == LIGHT_DIRECTIONAL) {
+        return false;
+    }
+    gl_put_instead(&frame->shaders, "step1_shadowmap/shaders/scene.frag",
+                   kind == LIGHT_SPOT ? spot : point);
+    return true;
+}
+
+// 1 - cos(angle), without taking two numbers near 1 from each other.
+static float spread_of(double angle)
+{
+    double half = sin(0.5 * angle);
+    return (float)(2 * half * half);
+}
+
+// A light that is not a spot has a cone that holds every direction.
+static void look(const Frame *frame, GLuint program)
+{
+    const Light *light = &frame->scene.light;
+    bool spot = light->kind == LIGHT_SPOT;
+    glUniform1f(glGetUniformLocation(program, "reference_distance"),
+                (float)light->reference);
+    glUniform3f(glGetUniformLocation(program, "cone_axis"),
+                (float)light->direction[0], (float)light->direction[1],
+                (float)light->direction[2]);
+    glUniform2f(glGetUniformLocation(program, "cone_spreads"),
+                spot ? spread_of(light->cone) : 4,
+                spot ? spread_of(BRIGHT_PART * light->cone) : 3);
+}
+
+const Technique map_lights = {.options = options,
+                              .settings = &settings,
+                              .check = check,
+                              .prepare = prepare,
+                              .look = look};

@@ -1,7 +1,28 @@
-#include <math.h> // fmax, fmin, pow, round, sqrt, tan
+// --splits: parallel splits, a view of each part of what the camera sees.
+#include <math.h>  // fmax, fmin, pow, round, sqrt, tan
+#include <stdio.h> // snprintf
 
-#include "step1_shadowmap/base/scene/dvec.h"       // dvec_dot, dvec_normalize
 #include "step1_shadowmap/base/light/light_view.h" // bound_casters
+#include "step1_shadowmap/base/picture/picture.h"  // PICTURE_HANDOVER
+#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/scene/dvec.h" // dvec_dot, dvec_normalize
+#include "step1_shadowmap/base/system/die.h" // die_usage
+
+static struct {
+    int count; // views of a directional light
+} settings = {1};
+
+static const Option options[] = {
+    {.name = "splits",
+     .kind = OPTION_INTEGER,
+     .minimum = 1,
+     .maximum = VIEW_MAX_LAYERS,
+     .argument = "N",
+     .help =
+         "parts of the view with a map each, of a directional light; 1: one "
+         "map, of everything that casts"},
+    {0},
+};
 
 // The first split begins this part of the way to where shadows end: the
 // logarithmic positions want a beginning that is not 0.
@@ -110,8 +131,10 @@ static void fit_ball(Views *views, const Light *light,
     view->far = view->near + extent[2];
 }
 
-void fit_splits(Views *views, const Scene *scene, double aspect, int count)
+static void fit(Views *views, const Scene *scene, const ViewsSize *size)
 {
+    double aspect = (double)size->picture[0] / size->picture[1];
+    int count = settings.count;
     const Camera *camera = &scene->camera;
     const Light *light = &scene->light;
     double tall = tan(0.5 * camera->fov_y);
@@ -133,3 +156,61 @@ void fit_splits(Views *views, const Scene *scene, double aspect, int count)
         views->light_position[k] = -light->direction[k];
     }
 }
+
+static void check(Frame *frame)
+{
+    if (settings.count > 1) {
+        frame->settings.fit = fit;
+    }
+}
+
+static bool prepare(Frame *frame)
+{
+    static const char *const plain[] = {
+        "step1_shadowmap/techniques/splits/layer_split.glsl",
+        "step1_shadowmap/techniques/splits/handover_nothing.glsl",
+        "step1_shadowmap/techniques/splits/scene_splits.frag", NULL};
+    static const char *const dumped[] = {
+        "step1_shadowmap/techniques/splits/layer_split.glsl",
+        "step1_shadowmap/techniques/splits/handover.glsl",
+        "step1_shadowmap/techniques/splits/scene_splits.frag", NULL};
+    LightKind kind = frame->scene.light.kind;
+    if (settings.count == 1) {
+        return false;
+    }
+    if (kind != LIGHT_DIRECTIONAL) {
+        die_usage("--splits %d are of a directional light, and this one is a "
+                  "%s light: drop --splits, or say --light directional",
+                  settings.count, light_kind_name(kind));
+    }
+    gl_put_instead(&frame->shaders, "step1_shadowmap/shaders/scene.frag",
+                   frame->settings.dump == NULL ? plain : dumped);
+    return true;
+}
+
+static void create(Frame *frame, Picture *picture)
+{
+    if (frame->settings.dump != NULL) {
+        picture->target.formats[PICTURE_HANDOVER] = GL_RGBA32F;
+    }
+}
+
+static void look(const Frame *frame, GLuint program)
+{
+    const Views *views = &frame->views;
+    glUniform1i(glGetUniformLocation(program, "layers"), views->layers);
+    for (int layer = 0; layer < views->layers; layer++) {
+        const LightView *view = &views->light[layer];
+        char name[48];
+        snprintf(name, sizeof name, "split_range[%d]", layer);
+        glUniform2f(glGetUniformLocation(program, name), (float)view->handover,
+                    (float)view->end);
+    }
+}
+
+const Technique map_splits = {.options = options,
+                              .settings = &settings,
+                              .check = check,
+                              .prepare = prepare,
+                              .create = create,
+                              .look = look};

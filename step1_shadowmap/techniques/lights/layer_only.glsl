@@ -1,0 +1,6 @@
+// A spot light has one view, and its map one layer.
+
+int map_layer(vec3 relative_position)
+{
+    return 0;
+}

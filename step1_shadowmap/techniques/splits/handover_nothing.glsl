@@ -1,0 +1,5 @@
+// Without --dump there is nothing to keep.
+
+void dump_handover(Receiver next, float share)
+{
+}

@@ -1,0 +1,6 @@
+// The techniques of step 1.
+#include "step1_shadowmap/base/picture/technique.h"
+
+extern const Technique map_lights, map_splits;
+
+const Technique *const techniques[] = {&map_lights, &map_splits, NULL};
