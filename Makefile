@@ -33,7 +33,8 @@ include tests/tests.mk
 
 # All pictures are made again when a program or a shader has changed, or when
 # one of them is missing or is newer than the strip: somebody else wrote it.
-MADE_FROM := $(PROGRAMS:%=$(BUILD)/%) $(wildcard step*/shaders/* step*/techniques/*/*)
+MADE_FROM := $(PROGRAMS:%=$(BUILD)/%) $(wildcard step*/shaders/* step*/techniques/*/* \
+    step1_shadowmap/base/*/shaders/*)
 $(PICTURES): ;
 out/steps.png: $(MADE_FROM) $(PICTURES) $(BUILD)/strip
 	@mkdir -p out

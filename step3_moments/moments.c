@@ -2,7 +2,7 @@
 
 const ShowMode moments_shows[] = {
     {"mean", "step3_moments/shaders/show_mean.glsl",
-     "step1_shadowmap/shaders/scale_grey.glsl",
+     "step1_shadowmap/base/picture/shaders/scale_grey.glsl",
      "0 near     mean depth in the map    1 far", true},
     {"variance", "step3_moments/shaders/show_variance.glsl",
      "step3_moments/shaders/scale_fire.glsl",

@@ -73,7 +73,7 @@ char *blur_constants(int radius, const float weights[], int axis)
 static Program *box_program(Frame *frame, int radius, int axis)
 {
     static const char *const files[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/shaders/map_texel.glsl", "step4_blur/shaders/blur.frag",
         NULL};
     int width = 2 * radius + 1;
@@ -91,7 +91,7 @@ static Program *box_program(Frame *frame, int radius, int axis)
 static Program *downsample_program(Frame *frame, int factor)
 {
     static const char *const files[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/shaders/map_texel.glsl",
         "step4_blur/shaders/downsample.frag", NULL};
     char constants[32];

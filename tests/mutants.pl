@@ -637,7 +637,7 @@ my %mutants = (
         'min(0.5 * disc.gap / LEAST_DISC, 1.0)', '1.0'
     ],
     'derivatives of x and y swapped' => [
-        'prefilters', 'step1_shadowmap/shaders/steps.glsl',
+        'prefilters', 'step1_shadowmap/techniques/shared/steps.glsl',
         'dFdx(relative_position)', 'dFdy(relative_position)'
     ],
     'taps along the shorter axis' => [
@@ -739,7 +739,7 @@ my %mutants = (
         'receiver.layer, 0.02)', 'receiver.layer, 0.1)'
     ],
     'half a shadow where there is none' => [
-        'shadows',    'step1_shadowmap/shaders/unshadowed.glsl',
+        'shadows',    'step1_shadowmap/base/leave_out/shaders/unshadowed.glsl',
         'return 1.0', 'return 0.5'
     ],
     'lit although it faces away, without shadows' => [
@@ -816,7 +816,7 @@ my %mutants = (
         "        lookups++;\n        return 1.0;\n    }\n    lookups++;"
     ],
     'a lookup that was left out is shown' => [
-        'looked_up', 'step1_shadowmap/shaders/unshadowed.glsl',
+        'looked_up', 'step1_shadowmap/base/leave_out/shaders/unshadowed.glsl',
         'lookups = 0;', ''
     ],
     'a shader that a window compiles when it first needs it' => [

@@ -7,27 +7,10 @@
 lesson_rooms := system files gl scene light picture run
 base_rooms := $(lesson_rooms) scenes leave_out measure safety
 rooms = $(patsubst $(ROOT)/%,%,$(wildcard $(foreach room,$1,\
-    $(ROOT)/step1_shadowmap/base/$(room)/*.[ch]*)))
+    $(ROOT)/step1_shadowmap/base/$(room)/*.[ch]* \
+    $(ROOT)/step1_shadowmap/base/$(room)/shaders/*)))
 base_rest := $(patsubst %,step1_shadowmap/base/%,\
-    base.mk words.mk set-up.sh README.md) \
-    step1_shadowmap/shaders/surface.glsl \
-    step1_shadowmap/shaders/show_shaded.glsl \
-    step1_shadowmap/shaders/show_visibility.glsl \
-    step1_shadowmap/shaders/show_depth.glsl \
-    step1_shadowmap/shaders/scale_grey.glsl \
-    step1_shadowmap/shaders/show_layer.glsl \
-    step1_shadowmap/shaders/scale_hue.glsl \
-    step1_shadowmap/shaders/show_plan.glsl \
-    step1_shadowmap/shaders/scale_lookups.glsl \
-    step1_shadowmap/shaders/fullscreen.vert \
-    step1_shadowmap/shaders/legend.frag \
-    step1_shadowmap/shaders/dump.glsl \
-    step1_shadowmap/shaders/steps.glsl \
-    step1_shadowmap/shaders/unshadowed.glsl \
-    step1_shadowmap/shaders/footprint.glsl \
-    step1_shadowmap/shaders/footprint_nothing.glsl \
-    step1_shadowmap/shaders/dump_nothing.glsl \
-    step1_shadowmap/shaders/present.frag
+    base.mk words.mk set-up.sh README.md)
 base := $(call rooms,$(base_rooms)) $(base_rest)
 
 # A single folder or a copy of it names what is missing and installs nothing.

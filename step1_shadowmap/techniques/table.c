@@ -1,6 +1,7 @@
 // The techniques of step 1.
 #include "step1_shadowmap/base/picture/technique.h"
 
-extern const Technique map_lights, map_splits;
+extern const Technique map_footprint, map_lights, map_splits;
 
-const Technique *const techniques[] = {&map_lights, &map_splits, NULL};
+const Technique *const techniques[] = {&map_footprint, &map_lights, &map_splits,
+                                       NULL};

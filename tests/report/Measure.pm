@@ -59,7 +59,13 @@ sub content {
 
 sub shaders {
     my @folders = ( root(), $ENV{VSM_SHADERS} // () );
-    return content( sort map { matching( $_, 'step*/shaders/*' ) } @folders );
+    my @files = ( 'shaders/*', 'techniques/*/*', 'base/*/shaders/*' );
+    return content(
+        sort map {
+            my $folder = $_;
+            map { matching( $folder, "step*/$_" ) } @files
+        } @folders
+    );
 }
 
 # The processors by their names; one without a name where that is not known.

@@ -162,7 +162,7 @@ stops { draw_with_mine(1) } 1, [qr/\Q$hard\E\D{1,2}1\b/],
 change_shader( $hard, sub { $_ = "float visibility(Receiver receiver);\n" } );
 stops { draw_with_mine(1) } 1, [ qr/shader/, qr/visibility/ ],
   'visibility() is promised and not there';
-change_shader( 'step1_shadowmap/shaders/surface.glsl',
+change_shader( 'step1_shadowmap/base/picture/shaders/surface.glsl',
     sub { s/^in vec3 surface_normal/flat in ivec3 surface_normal/m } );
 stops { draw_with_mine(1) } 1, [qr/surface_normal/],
   'the two shaders disagree about surface_normal';

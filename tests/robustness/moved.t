@@ -19,7 +19,10 @@ my @small = qw(--size 16x9 --output);
 sub plant {
     my ( $tree, $place ) = @_;
     make_path( "$tree/$name", "$tree/$place" );
-    command( qw(cp -r), root() . "/$name/shaders", "$tree/$name" );
+    for my $folder ( "$name/shaders", "$name/base/picture/shaders" ) {
+        make_path("$tree/$folder");
+        command( qw(cp -rT), root() . "/$folder", "$tree/$folder" );
+    }
     command( 'cp', program(1), "$tree/$place" );
     my $shader = "$tree/$name/shaders/scene.frag";
     spew( $shader, slurp($shader) =~ s/= albedo \*/= albedo.bgr */r );
@@ -57,7 +60,7 @@ ok( drawn('./linked') eq $blue, 'a link to a program is that program' );
 
 # A copy within another tree does not fall back to that.
 plant( 'tree/mine', 'build' );
-remove_tree("tree/mine/$name/shaders");
+remove_tree( "tree/mine/$name/shaders", "tree/mine/$name/base" );
 stops { command( "tree/mine/build/$name", @small, 'a.png' ) } 1,
   [qr{missing shader file $work/tree/mine/$name/shaders/}],
   'no shaders in a copy: its own are missed';

@@ -6,36 +6,14 @@
 #include "step1_shadowmap/base/leave_out/casters.h"    // casters_list
 #include "step1_shadowmap/base/leave_out/lone_plane.h" // lone_plane_is_lit
 #include "step1_shadowmap/base/leave_out/receivers.h"  // receivers_find
-#include "step1_shadowmap/base/leave_out/texels.h"     // rect_grow, rect_join
 #include "step1_shadowmap/base/system/die.h"           // die_usage
 
 static LeaveOut state = {.shadows = "on"};
 
-static const Option options[] = {
-    {.name = "plan",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(LeaveOut, plan),
-     .help = "print each pass, whether it is kept or left out, and why"},
-    {.name = "keep-all",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(LeaveOut, keep_all),
-     .help = "leave nothing out: draw every map, all of it, in every frame"},
-    {.name = "redraw",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(LeaveOut, redraw),
-     .help = "draw what is kept of the maps in every frame, not only when "
-             "something has changed"},
-    {.name = "shadows",
-     .kind = OPTION_CHOICE,
-     .offset = offsetof(LeaveOut, shadows),
-     .choices = "on,off",
-     .help = "off: the same frame without any map or lookup, to compare times"},
-    {0},
-};
-
-OptionTable leave_out_options(void)
+OptionTable leave_out_options(BaseSettings *settings)
 {
-    return options_table(options, &state);
+    base_add_shows(settings, leave_out_shows);
+    return options_table(leave_out_list, &state);
 }
 
 static bool has_shadows(const LeaveOut *left)
@@ -163,6 +141,8 @@ static void look(LeaveOut *left, Frame *frame)
 
 void leave_out_look(Frame *frame)
 {
+    static const char *const unshadowed[] = {
+        "step1_shadowmap/base/leave_out/shaders/unshadowed.glsl", NULL};
     LeaveOut *left = &state;
     const ViewsSize size = base_views_size(&frame->settings);
     uint64_t scene = stamp_scene(&frame->scene);
@@ -179,6 +159,78 @@ void leave_out_look(Frame *frame)
     left->in_picture = frame->views.seen.count;
     look(left, frame);
     frame->looks_up = left->lookups || (has_shadows(left) && frame->changes);
+    frame->visibility = frame->looks_up ? NULL : unshadowed;
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int greatest(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+// Wider by so many texels to each side along u and v, but no wider than a map
+// of this size. What is empty stays empty.
+static Rect rect_grow(const Rect *rect, int along_u, int along_v,
+                      const int size[2])
+{
+    const int by[2] = {along_u, along_v};
+    Rect result = {{0, 0}, {0, 0}};
+    for (int axis = 0; axis < 2 && !rect_is_empty(rect); axis++) {
+        result.low[axis] = greatest(rect->low[axis] - by[axis], 0);
+        result.high[axis] = least(rect->high[axis] + by[axis], size[axis]);
+    }
+    return result;
+}
+
+// The texels of a map that is smaller by a factor which hold these.
+static Rect rect_divide(const Rect *rect, int factor)
+{
+    Rect result = {{0, 0}, {0, 0}};
+    for (int axis = 0; axis < 2 && !rect_is_empty(rect); axis++) {
+        result.low[axis] = rect->low[axis] / factor;
+        result.high[axis] = (rect->high[axis] + factor - 1) / factor;
+    }
+    return result;
+}
+
+// The texels of a map that is larger by a factor which these hold.
+static Rect rect_multiply(const Rect *rect, int factor)
+{
+    Rect result = *rect;
+    for (int axis = 0; axis < 2; axis++) {
+        result.low[axis] *= factor;
+        result.high[axis] *= factor;
+    }
+    return result;
+}
+
+// The smallest rectangle around both.
+static Rect rect_join(const Rect *a, const Rect *b)
+{
+    if (rect_is_empty(a) || rect_is_empty(b)) {
+        return rect_is_empty(a) ? *b : *a;
+    }
+    Rect result;
+    for (int axis = 0; axis < 2; axis++) {
+        result.low[axis] = least(a->low[axis], b->low[axis]);
+        result.high[axis] = greatest(a->high[axis], b->high[axis]);
+    }
+    return result;
+}
+
+// Whether all texels of the inner one are in the outer one.
+static bool rect_holds(const Rect *outer, const Rect *inner)
+{
+    bool holds = true;
+    for (int axis = 0; axis < 2; axis++) {
+        holds = holds && outer->low[axis] <= inner->low[axis] &&
+                outer->high[axis] >= inner->high[axis];
+    }
+    return holds || rect_is_empty(inner);
 }
 
 // What the picture reads of a target's layer itself.

@@ -35,6 +35,9 @@ typedef struct LeaveOut {
     } layer[VIEW_MAX_LAYERS];
 } LeaveOut;
 
+extern const Option leave_out_list[];
+extern const ShowMode leave_out_shows[];
+
 // What --plan prints: each pass, whether it is kept, and why.
 void leave_out_print(const LeaveOut *left, const Frame *frame);
 

@@ -1,9 +1,38 @@
-// What --plan prints.
+// What can be asked of leaving out, and what --plan prints.
 #include <stdio.h>  // printf
 #include <string.h> // strcmp
 
 #include "step1_shadowmap/base/system/die.h" // printed_check
 #include "step1_shadowmap/base/leave_out/leave_out.h"
+
+const Option leave_out_list[] = {
+    {.name = "plan",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(LeaveOut, plan),
+     .help = "print each pass, whether it is kept or left out, and why"},
+    {.name = "keep-all",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(LeaveOut, keep_all),
+     .help = "leave nothing out: draw every map, all of it, in every frame"},
+    {.name = "redraw",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(LeaveOut, redraw),
+     .help = "draw what is kept of the maps in every frame, not only when "
+             "something has changed"},
+    {.name = "shadows",
+     .kind = OPTION_CHOICE,
+     .offset = offsetof(LeaveOut, shadows),
+     .choices = "on,off",
+     .help = "off: the same frame without any map or lookup, to compare times"},
+    {0},
+};
+
+const ShowMode leave_out_shows[] = {
+    {"plan", "step1_shadowmap/base/leave_out/shaders/show_plan.glsl",
+     "step1_shadowmap/base/leave_out/shaders/scale_lookups.glsl",
+     "0          lookups in the map          2", false},
+    {NULL, NULL, NULL, NULL, false},
+};
 
 typedef struct Saved {
     size_t texels; // that are not drawn

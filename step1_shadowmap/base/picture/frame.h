@@ -40,6 +40,9 @@ typedef struct Frame {
     Targets targets;
     Lookups lookups;
     bool technique[TECHNIQUES_MAX]; // of the table's, who takes part
+    // Shader files that stand for a visibility() where nothing is looked up;
+    // NULL: something is.
+    const char *const *visibility;
     bool looks_up; // the picture looks maps up, now or in a later frame
     bool changes;  // later frames may show something else
     Stopwatch clock;

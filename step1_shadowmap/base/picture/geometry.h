@@ -6,6 +6,18 @@
 
 #include "step1_shadowmap/base/scene/scene.h" // DrawList, Scene
 
+// A mesh's triangles without its normals: positions in object space, and as
+// many indices as the mesh has, in the same order.
+typedef struct Shape {
+    float (*positions)[3];
+    uint32_t *indices;
+    size_t count; // of the positions
+} Shape;
+
+// base/leave_out makes it, and the caller frees both arrays; without it, false:
+// what the map does not need is drawn too.
+bool shape_of_mesh(const Mesh *mesh, Shape *result);
+
 // What a pass reads of each mesh.
 typedef struct GeometryStream {
     GLuint vao[SCENE_MAX_MESHES];

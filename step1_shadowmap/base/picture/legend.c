@@ -35,9 +35,9 @@ Legend legend_create(Shaders *shaders, const ShowMode *mode, int width,
     if (mode->scale == NULL) {
         return legend;
     }
-    const char *files[] = {"step1_shadowmap/shaders/fullscreen.vert",
-                           mode->scale, "step1_shadowmap/shaders/legend.frag",
-                           NULL};
+    const char *files[] = {
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert", mode->scale,
+        "step1_shadowmap/base/picture/shaders/legend.frag", NULL};
     legend.text = mode->legend;
     legend.program = gl_program(shaders, NULL, files);
     return legend;

@@ -10,14 +10,8 @@
 
 enum { MAX_FILES = PROGRAM_MAX_FILES };
 
-const char picture_footprint[] = "step1_shadowmap/shaders/footprint.glsl";
-
-// The places in the list below that need a name.
-enum {
-    OUTPUT_IMAGE = 0,
-    OUTPUT_FOOTPRINT = 5,
-    OUTPUT_HANDOVER = PICTURE_HANDOVER
-};
+// The place of the picture itself in the list below.
+enum { OUTPUT_IMAGE = 0 };
 
 // What the fragment shader writes, in the order of its output locations.
 static const struct {
@@ -35,41 +29,28 @@ static const struct {
     {"handover", GL_RGBA32F, 4, {0, 0, 0, 0}},  // where it is used
 };
 
-static bool uses_footprint(const char *const visibility[])
-{
-    bool found = false;
-    for (int i = 0; visibility[i] != NULL; i++) {
-        found = found || strcmp(visibility[i], picture_footprint) == 0;
-    }
-    return found;
-}
-
 static void choose_outputs(Picture *picture, const BaseSettings *settings)
 {
-    bool dumped = settings->dump != NULL;
-    for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
-        bool used = i == OUTPUT_IMAGE || dumped;
-        used = used && (i != OUTPUT_FOOTPRINT || picture->footprint);
-        used = used && i != OUTPUT_HANDOVER;
-        picture->target.formats[i] = used ? outputs[i].format : GL_NONE;
+    int count = settings->dump == NULL ? 1 : PICTURE_FOOTPRINT;
+    for (int i = 0; i < count; i++) {
+        picture->target.formats[i] = outputs[i].format;
     }
 }
 
-static Program *create_program(Frame *frame, bool footprint,
-                               const char *constants,
+static Program *create_program(Frame *frame, const char *constants,
                                const char *const visibility[])
 {
     const BaseSettings *settings = &frame->settings;
     const ShowMode *mode = base_show_mode(settings);
     const char *files[MAX_FILES] = {
         "step1_shadowmap/shaders/scene.vert",
-        "step1_shadowmap/shaders/surface.glsl",
+        "step1_shadowmap/base/picture/shaders/surface.glsl",
         "step1_shadowmap/shaders/light_depth.glsl",
         "step1_shadowmap/shaders/linear_depth.glsl",
         "step1_shadowmap/shaders/map_coordinates.glsl"};
     int count = 5;
     for (int i = 0; visibility[i] != NULL; i++) {
-        if (count + 6 > MAX_FILES) {
+        if (count + 5 > MAX_FILES) {
             die("more than %d shader files", MAX_FILES);
         }
         files[count++] = visibility[i];
@@ -78,53 +59,30 @@ static Program *create_program(Frame *frame, bool footprint,
         files[count++] = mode->scale;
     }
     files[count++] = mode->shader;
-    if (settings->dump != NULL && !footprint) {
-        files[count++] = "step1_shadowmap/shaders/footprint_nothing.glsl";
-    }
-    files[count++] = settings->dump == NULL
-                         ? "step1_shadowmap/shaders/dump_nothing.glsl"
-                         : "step1_shadowmap/shaders/dump.glsl";
+    files[count++] =
+        settings->dump == NULL
+            ? "step1_shadowmap/base/picture/shaders/dump_nothing.glsl"
+            : "step1_shadowmap/base/picture/shaders/dump.glsl";
     files[count] = "step1_shadowmap/shaders/scene.frag";
     return gl_program(&frame->shaders, constants, files);
-}
-
-// Whether a lookup asks for it, and a row of --plan that says so.
-static void find_footprint(Picture *picture, Frame *frame,
-                           const char *const visibility[])
-{
-    const char *files[MAX_FILES + 1];
-    gl_find_files(&frame->shaders, visibility, files);
-    picture->footprint = uses_footprint(files);
-    picture->derivatives =
-        (Target){.pass = "derivatives",
-                 .kind = TARGET_NOTHING,
-                 .idle = !picture->footprint,
-                 .why = picture->footprint
-                            ? "lookups as wide as a pixel is in the map"
-                            : "no lookup asks how wide a pixel is in the map"};
-    target_add(&frame->targets, &picture->derivatives);
 }
 
 void picture_create(Picture *picture, Frame *frame, Target *map,
                     const char *constants, const char *const visibility[])
 {
-    static const char *const unshadowed[] = {
-        "step1_shadowmap/shaders/unshadowed.glsl", NULL};
     const BaseSettings *settings = &frame->settings;
-    visibility = frame->looks_up ? visibility : unshadowed;
-    *picture = (Picture){.map = map};
+    visibility = frame->visibility != NULL ? frame->visibility : visibility;
+    *picture = (Picture){.map = map, .visibility = visibility};
     picture->target = (Target){.pass = "picture",
                                .kind = TARGET_PICTURE,
                                .width = settings->size[0],
                                .height = settings->size[1],
                                .layers = 1,
                                .depth = true};
-    find_footprint(picture, frame, visibility);
     choose_outputs(picture, settings);
     techniques_create(frame, picture);
     target_add(&frame->targets, &picture->target);
-    picture->program =
-        create_program(frame, picture->footprint, constants, visibility);
+    picture->program = create_program(frame, constants, visibility);
     picture->legend = legend_create(&frame->shaders, base_show_mode(settings),
                                     settings->size[0], settings->size[1]);
 }

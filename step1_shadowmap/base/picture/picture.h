@@ -6,20 +6,15 @@
 #include "step1_shadowmap/base/picture/frame.h"  // Frame
 #include "step1_shadowmap/base/picture/legend.h" // Legend
 
-// The shader file with vec4 footprint(Receiver), for a visibility() that needs
-// to know how far apart the pixels are in the map.
-extern const char picture_footprint[];
-
-// The output that a technique with more than one lookup may write for --dump.
-enum { PICTURE_HANDOVER = 6 };
+// Outputs that techniques may write for --dump.
+enum { PICTURE_FOOTPRINT = 5, PICTURE_HANDOVER = 6 };
 
 typedef struct Picture {
-    Target target;      // the picture; with --dump further outputs
-    Target derivatives; // across the screen, for --plan
-    Target *map;        // is looked up
+    Target target;                 // the picture; with --dump further outputs
+    Target *map;                   // is looked up
+    const char *const *visibility; // the files that look it up
     Program *program;
-    bool footprint; // the shaders ask for it
-    bool drawing;   // it is wanted in this frame
+    bool drawing; // it is wanted in this frame
     Legend legend;
 } Picture;
 
@@ -42,8 +37,8 @@ void picture_draw(const Picture *picture, const Frame *frame);
 void picture_write(const Picture *picture, const char *path);
 
 // Writes receiver, position, normal, visibility and image (.exr) into the
-// directory, footprint where the list has picture_footprint, and handover where
-// a technique writes it; needs a picture that was made with --dump.
+// directory, and what techniques write; needs a picture that was made with
+// --dump.
 void picture_dump(const Picture *picture, const char *directory);
 
 #endif

@@ -48,9 +48,9 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, show),
      .argument = "WHAT",
      .help =
-         "shaded, visibility (1 lit, 0 in shadow), depth, layer or plan (how "
-         "many lookups a pixel needed); of a map of moments also mean or "
-         "variance"},
+         "shaded, visibility (1 lit, 0 in shadow), depth, and what the step "
+         "and its techniques add: layer, plan (how many lookups a pixel "
+         "needed), mean, variance"},
     {.name = "dump",
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, dump),
@@ -74,53 +74,41 @@ const Option base_options[] = {
 };
 
 static const ShowMode shows[] = {
-    {"shaded", "step1_shadowmap/shaders/show_shaded.glsl", NULL, NULL, false},
-    {"visibility", "step1_shadowmap/shaders/show_visibility.glsl", NULL, NULL,
-     false},
-    {"depth", "step1_shadowmap/shaders/show_depth.glsl",
-     "step1_shadowmap/shaders/scale_grey.glsl",
+    {"shaded", "step1_shadowmap/base/picture/shaders/show_shaded.glsl", NULL,
+     NULL, false},
+    {"visibility", "step1_shadowmap/base/picture/shaders/show_visibility.glsl",
+     NULL, NULL, false},
+    {"depth", "step1_shadowmap/base/picture/shaders/show_depth.glsl",
+     "step1_shadowmap/base/picture/shaders/scale_grey.glsl",
      "0 near     depth from the light    1 far", false},
-    {"layer", "step1_shadowmap/shaders/show_layer.glsl",
-     "step1_shadowmap/shaders/scale_hue.glsl",
-     "0          layer of the map            7", false},
-    {"plan", "step1_shadowmap/shaders/show_plan.glsl",
-     "step1_shadowmap/shaders/scale_lookups.glsl",
-     "0          lookups in the map          2", false},
     {NULL, NULL, NULL, NULL, false},
 };
 
-static const ShowMode *find_show(const ShowMode *list, const char *name)
+void base_add_shows(BaseSettings *settings, const ShowMode more[])
 {
-    for (; list != NULL && list->name != NULL; list++) {
-        if (strcmp(list->name, name) == 0) {
-            return list;
+    for (int i = 0; i < SHOWS_MAX; i++) {
+        if (settings->shows[i] == NULL) {
+            settings->shows[i] = more;
+            return;
         }
     }
-    return NULL;
-}
-
-// Adds ", name" for each.
-static void list_shows(char names[], size_t bytes, const ShowMode *list)
-{
-    for (; list != NULL && list->name != NULL; list++) {
-        size_t length = strlen(names);
-        snprintf(names + length, bytes - length, ", %s", list->name);
-    }
+    die("more than %d lists of --show", SHOWS_MAX);
 }
 
 const ShowMode *base_show_mode(const BaseSettings *settings)
 {
-    const ShowMode *mode = find_show(shows, settings->show);
-    if (mode == NULL) {
-        mode = find_show(settings->more_shows, settings->show);
+    char names[128] = "";
+    for (int i = 0; i < SHOWS_MAX && settings->shows[i] != NULL; i++) {
+        const ShowMode *mode = settings->shows[i];
+        for (; mode->name != NULL; mode++) {
+            size_t length = strlen(names);
+            if (strcmp(mode->name, settings->show) == 0) {
+                return mode;
+            }
+            snprintf(names + length, sizeof names - length, ", %s", mode->name);
+        }
     }
-    if (mode == NULL) {
-        char names[128] = "";
-        list_shows(names, sizeof names, shows);
-        list_shows(names, sizeof names, settings->more_shows);
-        die_usage("--show '%s': allowed are %s", settings->show, names + 2);
-    }
-    return mode;
+    die_usage("--show '%s': allowed are %s", settings->show, names + 2);
 }
 
 void base_settings(BaseSettings *settings, int step, const char *program,
@@ -128,7 +116,7 @@ void base_settings(BaseSettings *settings, int step, const char *program,
 {
     *settings = (BaseSettings){.program = program,
                                .step = step,
-                               .more_shows = more_shows,
+                               .shows = {shows, more_shows},
                                .scene = "teapot",
                                .size = {1280, 720},
                                .map_size = {512, 512},

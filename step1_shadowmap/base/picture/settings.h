@@ -9,6 +9,8 @@
 #include "step1_shadowmap/base/light/view.h"     // ViewsSize
 #include "step1_shadowmap/base/scene/scene.h"    // Scene
 
+enum { SHOWS_MAX = 6 };
+
 enum { OPTION_TABLES = 32 }; // that a program joins, and the empty one
 
 typedef struct BaseSettings {
@@ -22,9 +24,9 @@ typedef struct BaseSettings {
     const char *output;      // file, or NULL
     char default_output[32]; // that file if no option says otherwise
     const char *show;
-    const ShowMode *more_shows; // what the step adds to the choices, or NULL
-    const char *dump;           // directory, or NULL
-    const char *shaders;        // directory, or NULL
+    const ShowMode *shows[SHOWS_MAX]; // lists of its choices, then NULL
+    const char *dump;                 // directory, or NULL
+    const char *shaders;              // directory, or NULL
     bool window;
     const char *context;
     ViewsFit *fit; // of a light that is not directional, or has many views
@@ -36,10 +38,13 @@ extern const Option base_options[];
 
 // The defaults of a program, the step's number and its name (stepN_what), which
 // writes out/stepN_what.png if no option says otherwise. `more_shows` are
-// choices of --show besides the five that every step has; the list ends with a
-// NULL name.
+// choices of --show besides the three that every step has, or NULL; the list
+// ends with a NULL name.
 void base_settings(BaseSettings *settings, int step, const char *program,
                    const ShowMode *more_shows);
+
+// More choices of --show; the list ends with a NULL name.
+void base_add_shows(BaseSettings *settings, const ShowMode more[]);
 
 // The choice that --show names; refuses (status 2) any other name.
 const ShowMode *base_show_mode(const BaseSettings *settings);

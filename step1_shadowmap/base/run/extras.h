@@ -7,7 +7,7 @@
 
 // base/leave_out: what no pixel needs is not drawn.
 
-OptionTable leave_out_options(void);
+OptionTable leave_out_options(BaseSettings *settings);
 
 // Fits the views with room for the lookups, finds what of them the picture
 // looks up, and says whether it looks anything up. Does nothing if since the

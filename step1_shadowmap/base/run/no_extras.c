@@ -5,8 +5,9 @@
 
 static const Option none[] = {{0}};
 
-UNLESS_LINKED OptionTable leave_out_options(void)
+UNLESS_LINKED OptionTable leave_out_options(BaseSettings *settings)
 {
+    (void)settings;
     return options_table(none, NULL);
 }
 

@@ -15,7 +15,7 @@ void run_options(Run *run, int argc, char **argv, int step, const char *program,
     base_settings(&frame->settings, step, program, more_shows);
     frame->options[count++] = options_table(base_options, &frame->settings);
     frame->options[count++] = bench_options();
-    frame->options[count++] = leave_out_options();
+    frame->options[count++] = leave_out_options(&frame->settings);
     for (; tables->options != NULL; tables++) {
         frame->options[count++] = *tables;
     }

@@ -12,8 +12,8 @@ Window window_create(const Context *context, Shaders *shaders,
                      const char *subject)
 {
     static const char *const files[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
-        "step1_shadowmap/shaders/present.frag", NULL};
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/present.frag", NULL};
     Window window = {.context = context,
                      .present = gl_program(shaders, NULL, files)};
     snprintf(window.subject, sizeof window.subject, "%s", subject);

@@ -151,8 +151,16 @@ static void fit(Views *views, const Scene *scene, const ViewsSize *size)
     }
 }
 
+static const ShowMode shows[] = {
+    {"layer", "step1_shadowmap/techniques/lights/show_layer.glsl",
+     "step1_shadowmap/techniques/lights/scale_hue.glsl",
+     "0          layer of the map            7", false},
+    {NULL, NULL, NULL, NULL, false},
+};
+
 static void check(Frame *frame)
 {
+    base_add_shows(&frame->settings, shows);
     frame->settings.light = settings.kind;
     settings.parallel = frame->settings.fit;
     frame->settings.fit = fit;

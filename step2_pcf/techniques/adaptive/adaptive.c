@@ -1,5 +1,5 @@
-#include "step1_shadowmap/base/picture/picture.h" // picture_footprint
 #include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/techniques/shared/footprint.h"
 
 static struct {
     bool asked; // n is the pixel's own, up to --kernel
@@ -18,8 +18,8 @@ static const Option options[] = {
 static bool prepare(Frame *frame)
 {
     static const char *const width[] = {
-        "step1_shadowmap/shaders/steps.glsl", picture_footprint,
-        "step1_shadowmap/shaders/ellipse.glsl",
+        map_footprint_steps, map_footprint_file,
+        "step1_shadowmap/techniques/shared/ellipse.glsl",
         "step2_pcf/techniques/adaptive/width_adaptive.glsl", NULL};
     static const char *const filter[] = {
         "step2_pcf/techniques/adaptive/width_fixed.glsl",

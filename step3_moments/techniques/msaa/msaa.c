@@ -61,7 +61,7 @@ static bool prepare(Frame *frame)
 static void create(Frame *frame, Picture *picture)
 {
     static const char *const resolve[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step3_moments/techniques/shared/merge_raw.glsl",
         "step3_moments/techniques/shared/store_float.glsl",
         "step3_moments/techniques/msaa/resolve.frag", NULL};
@@ -98,7 +98,7 @@ static void draw_texels(const Frame *frame, GLuint program)
 static void dump_layer(const Frame *frame, int layer)
 {
     static const char *const files[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step3_moments/techniques/msaa/one_sample.frag", NULL};
     Shaders shaders = {.directory = frame->shaders.directory};
     Targets targets = {.count = 0};

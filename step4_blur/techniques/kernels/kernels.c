@@ -210,7 +210,7 @@ static bool prepare(Frame *frame)
 static Program *fragments_program(Frame *frame, const int sides[2], int axis)
 {
     static const char *const files[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/shaders/map_texel.glsl", "step4_blur/shaders/blur.frag",
         NULL};
     float weights[KERNELS_MAX_WIDTH] = {0};

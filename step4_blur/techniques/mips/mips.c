@@ -7,6 +7,7 @@
 #include "step1_shadowmap/base/picture/picture.h" // Picture
 #include "step1_shadowmap/base/picture/technique.h"
 #include "step1_shadowmap/base/system/die.h" // die_usage
+#include "step1_shadowmap/techniques/shared/footprint.h"
 
 static struct Settings {
     bool asked;          // a mip-map chain of the result
@@ -85,25 +86,25 @@ static void check(Frame *frame)
 static const char *const *lookup_files(void)
 {
     static const char *const trilinear[] = {
-        "step1_shadowmap/shaders/steps.glsl",
-        picture_footprint,
-        "step1_shadowmap/shaders/ellipse.glsl",
+        map_footprint_steps,
+        map_footprint_file,
+        "step1_shadowmap/techniques/shared/ellipse.glsl",
         "step3_moments/techniques/shared/merge_raw.glsl",
         "step3_moments/techniques/shared/between_raw.glsl",
         "step4_blur/techniques/mips/mip_levels.glsl",
         "step4_blur/techniques/mips/lookup_trilinear.glsl",
         NULL};
     static const char *const anisotropic[] = {
-        "step1_shadowmap/shaders/steps.glsl",
-        picture_footprint,
-        "step1_shadowmap/shaders/ellipse.glsl",
+        map_footprint_steps,
+        map_footprint_file,
+        "step1_shadowmap/techniques/shared/ellipse.glsl",
         "step3_moments/techniques/shared/merge_raw.glsl",
         "step3_moments/techniques/shared/between_raw.glsl",
         "step4_blur/techniques/mips/mip_levels.glsl",
         "step4_blur/techniques/mips/lookup_anisotropic.glsl",
         NULL};
     static const char *const hardware[] = {
-        "step1_shadowmap/shaders/steps.glsl", picture_footprint,
+        map_footprint_steps, map_footprint_file,
         "step4_blur/techniques/mips/lookup_hardware.glsl", NULL};
     return uses_hardware()           ? hardware
            : settings.anisotropy > 1 ? anisotropic
@@ -191,7 +192,7 @@ static void limit_levels(int first, int last)
 static Target *create_level0(Frame *frame, Target *map)
 {
     static const char *const copy[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/shaders/map_texel.glsl",
         "step4_blur/shaders/downsample.frag", NULL};
     if (integer(frame, "radius") > 0 || integer(frame, "downsample") > 1) {
@@ -230,7 +231,7 @@ static void create_levels(Frame *frame, Target *owner, int last)
 static void create(Frame *frame, Picture *picture)
 {
     static const char *const files[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step3_moments/techniques/shared/merge_raw.glsl",
         "step3_moments/techniques/shared/store_float.glsl",
         "step4_blur/shaders/map_texel.glsl",

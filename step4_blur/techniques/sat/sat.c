@@ -107,13 +107,13 @@ static int count_doublings(int side)
 static Target *create_fragments(Frame *frame, const Target *map)
 {
     static const char *const start[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/shaders/map_texel.glsl",
         "step4_blur/techniques/sat/sat_steps.glsl",
         "step4_blur/techniques/sat/sat_start.frag", NULL};
-    static const char *const sum[] = {"step1_shadowmap/shaders/fullscreen.vert",
-                                      "step4_blur/techniques/sat/sat_sum.frag",
-                                      NULL};
+    static const char *const sum[] = {
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
+        "step4_blur/techniques/sat/sat_sum.frag", NULL};
     state.start = gl_program(&frame->shaders, NULL, start);
     state.sum = gl_program(&frame->shaders, NULL, sum);
     state.doublings[0] = count_doublings(map->width);
@@ -263,7 +263,7 @@ static void look(const Frame *frame, GLuint program)
 static void dump(const Frame *frame)
 {
     static const char *const boxed[] = {
-        "step1_shadowmap/shaders/fullscreen.vert",
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/techniques/sat/sat_box.glsl",
         "step4_blur/techniques/sat/sat_dump.frag", NULL};
     Shaders shaders = {.directory = frame->shaders.directory};

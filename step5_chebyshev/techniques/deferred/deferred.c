@@ -3,6 +3,7 @@
 // bit where the driver computes both alike.
 #include "step1_shadowmap/base/picture/picture.h" // Picture
 #include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/techniques/shared/footprint.h"
 
 static struct {
     bool asked; // what each pixel shows first, then its light
@@ -48,13 +49,13 @@ static Program *create_program(Frame *frame, bool footprint)
 {
     static const char *const plain[] = {
         "step1_shadowmap/shaders/scene.vert",
-        "step1_shadowmap/shaders/surface.glsl",
+        "step1_shadowmap/base/picture/shaders/surface.glsl",
         "step5_chebyshev/techniques/deferred/gbuffer_steps_nothing.glsl",
         "step5_chebyshev/techniques/deferred/gbuffer.frag", NULL};
     static const char *const stepped[] = {
         "step1_shadowmap/shaders/scene.vert",
-        "step1_shadowmap/shaders/surface.glsl",
-        "step1_shadowmap/shaders/steps.glsl",
+        "step1_shadowmap/base/picture/shaders/surface.glsl",
+        "step1_shadowmap/techniques/shared/steps.glsl",
         "step5_chebyshev/techniques/deferred/gbuffer_steps.glsl",
         "step5_chebyshev/techniques/deferred/gbuffer.frag",
         NULL};
@@ -66,20 +67,22 @@ static Program *create_program(Frame *frame, bool footprint)
 static void put_stored(Shaders *shaders)
 {
     static const char *const vertex[] = {
-        "step1_shadowmap/shaders/fullscreen.vert", NULL};
+        "step1_shadowmap/base/picture/shaders/fullscreen.vert", NULL};
     static const char *const surface[] = {
         "step5_chebyshev/techniques/deferred/surface_stored.glsl", NULL};
     static const char *const steps[] = {
         "step5_chebyshev/techniques/deferred/steps_stored.glsl", NULL};
     gl_put_instead(shaders, "step1_shadowmap/shaders/scene.vert", vertex);
-    gl_put_instead(shaders, "step1_shadowmap/shaders/surface.glsl", surface);
-    gl_put_instead(shaders, "step1_shadowmap/shaders/steps.glsl", steps);
+    gl_put_instead(shaders, "step1_shadowmap/base/picture/shaders/surface.glsl",
+                   surface);
+    gl_put_instead(shaders, "step1_shadowmap/techniques/shared/steps.glsl",
+                   steps);
 }
 
 static void create(Frame *frame, Picture *picture)
 {
-    state.count = picture->footprint ? 5 : 3;
-    state.program = create_program(frame, picture->footprint);
+    state.count = map_footprint_is_used() ? 5 : 3;
+    state.program = create_program(frame, map_footprint_is_used());
     put_stored(&frame->shaders);
     state.target = (Target){.pass = "G-buffer",
                             .why = "--deferred",

@@ -1,8 +1,8 @@
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/picture.h" // picture_footprint
 #include "step1_shadowmap/base/picture/technique.h"
 #include "step1_shadowmap/base/system/die.h" // die_usage
+#include "step1_shadowmap/techniques/shared/footprint.h"
 
 static struct {
     const char *width; // of a table's box: fixed or adaptive
@@ -31,7 +31,7 @@ static void check(Frame *frame)
 static bool prepare(Frame *frame)
 {
     static const char *const adaptive[] = {
-        "step1_shadowmap/shaders/steps.glsl", picture_footprint,
+        map_footprint_steps, map_footprint_file,
         "step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl", NULL};
     if (strcmp(settings.width, "adaptive") != 0) {
         return false;

@@ -1,9 +1,12 @@
-#include "step1_shadowmap/base/picture/shape.h"
+// A mesh without its normals: where only the outline counts, corners that
+// differ in nothing else are one vertex. No two of its positions have the same
+// bits.
 
 #include <stdlib.h> // free
 #include <string.h> // memcmp, memcpy
 
-#include "step1_shadowmap/base/system/die.h" // allocate
+#include "step1_shadowmap/base/picture/geometry.h" // Shape
+#include "step1_shadowmap/base/system/die.h"       // allocate
 
 // Where the search for a position begins. Multipliers spread neighbouring bits
 // (Teschner and others, Optimized spatial hashing for collision detection,
@@ -35,7 +38,7 @@ static uint32_t find_or_add(Shape *shape, uint32_t *slots, size_t slot_count,
     return slots[slot] - 1;
 }
 
-Shape shape_of_mesh(const Mesh *mesh)
+bool shape_of_mesh(const Mesh *mesh, Shape *result)
 {
     size_t slot_count = 1;
     while (slot_count < 2 * mesh->vertex_count) {
@@ -55,12 +58,6 @@ Shape shape_of_mesh(const Mesh *mesh)
     }
     free(places);
     free(slots);
-    return shape;
-}
-
-void shape_destroy(Shape *shape)
-{
-    free(shape->positions);
-    free(shape->indices);
-    *shape = (Shape){.count = 0};
+    *result = shape;
+    return true;
 }

@@ -4,7 +4,6 @@ layout(location = 1) out vec4 dumped_receiver;  // u, v, t, layer
 layout(location = 2) out vec3 dumped_position;
 layout(location = 3) out vec3 dumped_normal;
 layout(location = 4) out float dumped_visibility;
-layout(location = 5) out vec4 dumped_footprint;  // only where it was used
 
 void dump(Receiver receiver, float lit)
 {
@@ -12,5 +11,4 @@ void dump(Receiver receiver, float lit)
     dumped_position = receiver.relative_position;
     dumped_normal = receiver.normal;
     dumped_visibility = lit;
-    dumped_footprint = footprint(receiver);
 }
