@@ -345,7 +345,7 @@ my %mutants = (
         'map_position.xy / map_position.w', 'map_position.xy'
     ],
     'the depth along an axis' => [
-        'lights', 'step1_shadowmap/shaders/linear_depth.glsl',
+        'lights', 'step1_shadowmap/techniques/lights/distance_depth.glsl',
         'length(towards_light(relative_position))',
         'abs(towards_light(relative_position).y)'
     ],

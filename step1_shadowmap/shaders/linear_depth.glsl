@@ -1,21 +1,14 @@
-// The depth t is linear, 0 at the view's near plane and 1 at its far plane:
-// along the direction of a parallel light (its depth_per_distance is 0), else
-// the distance from the light (only the last number of its row is not 0).
-// Projective depth would crowd all that is far from the light into a last
-// sliver below 1, where a variance says nothing.
+// The depth t is linear along the light's direction, 0 at the view's near plane
+// and 1 at its far plane.
 
 uniform vec4 depth_from_relative[8];  // a row for each layer
-uniform float depth_per_distance;
 
 float light_depth(vec3 relative_position, int layer)
 {
-    float along = dot(depth_from_relative[layer], vec4(relative_position, 1.0));
-    float distance = length(towards_light(relative_position));
-    return along + depth_per_distance * distance;
+    return dot(depth_from_relative[layer], vec4(relative_position, 1.0));
 }
 
 vec3 depth_gradient(vec3 relative_position, int layer)
 {
-    vec3 away = -normalize(towards_light(relative_position));
-    return depth_from_relative[layer].xyz + depth_per_distance * away;
+    return depth_from_relative[layer].xyz;
 }

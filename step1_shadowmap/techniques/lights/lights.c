@@ -174,10 +174,14 @@ static bool prepare(Frame *frame)
     static const char *const point[] = {
         "step1_shadowmap/techniques/lights/layer_face.glsl",
         "step1_shadowmap/techniques/lights/scene_lights.frag", NULL};
+    static const char *const distance[] = {
+        "step1_shadowmap/techniques/lights/distance_depth.glsl", NULL};
     LightKind kind = frame->scene.light.kind;
     if (kind == LIGHT_DIRECTIONAL) {
         return false;
     }
+    gl_put_instead(&frame->shaders, "step1_shadowmap/shaders/linear_depth.glsl",
+                   distance);
     gl_put_instead(&frame->shaders, "step1_shadowmap/shaders/scene.frag",
                    kind == LIGHT_SPOT ? spot : point);
     return true;
