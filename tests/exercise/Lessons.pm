@@ -42,12 +42,8 @@ my @BLUR = (
 my @ROOM   = qw(--scene room --map-size 48x80);
 my @SPLITS = qw(--scene fence --splits 2 --map-size 48x80);
 
-# Where moments are merged in another way, and rounded when they are stored.
-my @HALF = qw(--moments central --format rg16f);
-
 # With other constants than step 5 has.
-my @OTHER =
-  ( @ROOM, qw(--moments central --bleed-reduction 0.5 --variance-bias 1e-3) );
+my @OTHER = ( @ROOM, qw(--bleed-reduction 0.5 --min-variance 0.01) );
 our %LESSONS = (
     1 => [
         {
@@ -195,7 +191,10 @@ our %LESSONS = (
               . 'map_depth(relative_position, layer).',
             options  => [],
             also     => [ { options => [@SPLITS] } ],
-            checks   => [ [ 'stage', qr/stage moments/ ], [ 'rays', qr/map depths/ ] ],
+            checks   => [
+                [ 'stage', qr/stage moments/ ],
+                [ 'rays',  qr/map depths/ ]
+            ],
             shows    => [ 'moments', 1 ],
             same     => qr/^(?:moments|position|normal)\b.*exr$/,
             mistakes => [
@@ -250,16 +249,10 @@ our %LESSONS = (
             file     => 'blur.frag',
             empty    => 'moments = vec2(1.0);',
             words    => 'One pass of a separable blur: the weighted mean of '
-              . 'the texels from -sides.x to sides.y along axis, whose '
-              . 'weights add up to 1.',
-            options  => [qw(--blur gaussian --radius 4 --blur-by fragments)],
-            also     => [
-                {
-                    options => [
-                        @ROOM, qw(--blur boxes --radius 4 --blur-by fragments)
-                    ]
-                }
-            ],
+              . 'the texels from -radius to radius along axis. weights[0] is '
+              . 'that of the first, and all weights add up to 1.',
+            options  => [qw(--blur gaussian --radius 4)],
+            also     => [ { options => [ @ROOM, qw(--radius 2) ] } ],
             @BLUR,
             mistakes => [
                 [
@@ -275,18 +268,17 @@ our %LESSONS = (
                 [
                     'All weights are the same. That is a box; this filter\'s '
                       . 'weights are in weights[].',
-                    'weights[i + sides.x]' =>
-                      '1.0 / float(sides.x + 1 + sides.y)'
+                    'weights[i + radius]' => '1.0 / float(2 * radius + 1)'
                 ],
                 [
                     'The last tap is missing, so the weights add up to less '
                       . 'than 1 and all depths come nearer to the light.',
-                    'i <= sides.y' => 'i < sides.y'
+                    'i <= radius' => 'i < radius'
                 ],
                 [
                     'The weights are read from the wrong place: weights[0] '
-                      . 'belongs to the tap at -sides.x.',
-                    'weights[i + sides.x]' => 'weights[abs(i)]'
+                      . 'belongs to the tap at -radius.',
+                    'weights[i + radius]' => 'weights[abs(i)]'
                 ],
             ],
         },
@@ -295,11 +287,9 @@ our %LESSONS = (
             file     => 'downsample.frag',
             empty    => 'moments = vec2(1.0);',
             words    => 'A smaller map: the mean of the factor x factor '
-              . 'texels that this one covers. merge_about(), merge_add() and '
-              . 'merge_end() add up moments of either kind; stored() keeps '
-              . 'what the format can hold.',
+              . 'texels that this one covers. map_texel() reads one of them.',
             options  => [qw(--downsample 2)],
-            also     => [ { options => [ @ROOM, @HALF, qw(--downsample 4) ] } ],
+            also     => [ { options => [ @ROOM, qw(--downsample 4) ] } ],
             @BLUR,
             mistakes => [
                 [
@@ -329,7 +319,7 @@ our %LESSONS = (
             words    => 'The largest share of the depths that can be at t or '
               . 'behind it, of all distributions with this mean and variance: '
               . 'the one-tailed inequality.',
-            options  => [qw(--bleed-reduction 0)],
+            options  => [],
             also     => [ { options => [@OTHER] } ],
             @VISIBILITY,
             mistakes => [
@@ -420,41 +410,45 @@ our %LESSONS = (
             function => 'float visibility(Receiver receiver)',
             file     => 'visibility.glsl',
             empty    => 'return 1.0;',
-            words    => 'Put it together: guarded(moments_at(receiver), '
-              . 'receiver) are mean and variance; add variance_bias to the '
-              . 'variance, which is 1 at most; then chebyshev() at the '
-              . 'receiver\'s depth, and reduce_bleeding().',
-            options  => [qw(--variance-bias 1e-4 --bleed-reduction 0.18)],
-            also     => [ { options => [ @OTHER, qw(--variance-bias 1) ] } ],
+            words    => 'Put it together. moments_at(receiver) is M1 and M2. '
+              . 'Find their variance; it is at least min_variance. Then add '
+              . 'what rounding can have taken: guard_mean.x times M1 and '
+              . 'guard_mean.y to the mean, guard_variance.x times M2 and '
+              . 'guard_variance.y to the variance. Return their chebyshev() '
+              . 'at the receiver\'s depth, with reduce_bleeding() applied.',
+            options  => [qw(--bleed-reduction 0.18)],
+            also     => [ { options => [@OTHER] } ],
             @VISIBILITY,
             mistakes => [
                 [
                     'Light bleeding is not reduced.',
-                    'reduce_bleeding(chebyshev(depths.x, variance, '
+                    'reduce_bleeding(chebyshev(mean, variance, '
                       . 'receiver.depth))' =>
-                      'chebyshev(depths.x, variance, receiver.depth)'
+                      'chebyshev(mean, variance, receiver.depth)'
                 ],
                 [
-                    'The variance bias is not added.',
-                    'depths.y + variance_bias' => 'depths.y'
+                    'M2 is taken for the variance. It is E[x^2]: what remains '
+                      . 'without E[x]^2 is the variance.',
+                    'max(M2 - M1 * M1' => 'max(M2'
                 ],
                 [
-                    'Mean and variance have changed places.',
-                    'guarded(moments_at(receiver), receiver)' =>
-                      'guarded(moments_at(receiver), receiver).yx'
+                    'M1 and M2 have changed places: E[x] is in the first '
+                      . 'channel.',
+                    'M1 = moments.x' => 'M1 = moments.y',
+                    'M2 = moments.y' => 'M2 = moments.x'
                 ],
                 [
-                    'The moments are not guarded. Where all is flat and lit, '
-                      . 'the variance is only rounding: see --min-variance.',
-                    'guarded(moments_at(receiver), receiver)' =>
-                      'vec2(moments_at(receiver).x, '
-                      . 'variance_of(moments_at(receiver)))'
+                    'The variance is 0, and only what is added for rounding '
+                      . 'is left. It is M2 less the square of M1, or '
+                      . 'min_variance: the larger of both (max).',
+                    'max(' => 'min('
                 ],
                 [
-                    'M2 is taken for the variance. It is E[x^2]: guarded() '
-                      . 'makes the variance of it.',
-                    'guarded(moments_at(receiver), receiver)' =>
-                      'moments_at(receiver)'
+                    'Nothing is added for what rounding can have taken. Where '
+                      . 'all is flat and lit, the variance is only rounding, '
+                      . 'and lit surfaces get dark specks.',
+                    'M1 + (guard_mean.x * M1 + guard_mean.y)'  => 'M1',
+                    'guard_variance.x * M2 + guard_variance.y' => '0.0'
                 ],
             ],
         },

@@ -45,6 +45,11 @@ for my $step ( 1 .. 5 ) {
             ($reason) = mark( $step, $task, $text );
             is( $reason, $words, "$what: $words" );
         }
+        for my $also ( @{ $task->{also} } ) {
+            my %run = ( %$task, mistakes => undef, also => [], %$also );
+            @wrong = mark( $step, \%run, emptied( $step, $task ) );
+            isnt( "@wrong", '', "$what is used with @{ $run{options} }" );
+        }
         @wrong = mark( $step, $task, begun_with( $step, $task, 'discard;' ) );
         isnt( "@wrong", '', "$what, which draws nothing" );
     }
@@ -78,15 +83,11 @@ for (
         'x < factor' => 'x < 2'
     ],
     [ 4, 'downsample.frag', 'float(factor * factor)' => '4.0' ],
-    [ 4, 'blur.frag', 'sides.y' => 'sides.x' ],
-    [ 4, 'downsample.frag', 'stored(' => '(' ],
     [
-        4, 'downsample.frag',
-        'Merge merge = merge_about(map_texel(corner))' =>
-          'vec2 sum = vec2(0.0)',
-        'merge_add(merge, 1.0, map'                => 'sum += (map',
-        'merge_end(merge, float(factor * factor))' =>
-          'sum / float(factor * factor)'
+        4, 'blur.frag',
+        '-radius'   => '-4',
+        '<= radius' => '<= 4',
+        '+ radius'  => '+ 4'
     ],
     [
         5, 'reduction_linear.glsl',
@@ -95,15 +96,11 @@ for (
     ],
     [
         5, 'visibility.glsl',
-        'reduce_bleeding(chebyshev(depths.x, variance, receiver.depth))' =>
-          'clamp((chebyshev(depths.x, variance, receiver.depth) - 0.18) '
+        'reduce_bleeding(chebyshev(mean, variance, receiver.depth))' =>
+          'clamp((chebyshev(mean, variance, receiver.depth) - 0.18) '
           . '/ 0.82, 0.0, 1.0)'
     ],
-    [
-        5, 'visibility.glsl',
-        'min(depths.y + variance_bias, 1.0)' => 'depths.y + variance_bias'
-    ],
-    [ 5, 'visibility.glsl', 'variance_bias' => '1e-4' ],
+    [ 5, 'visibility.glsl', 'min_variance)' => '0.0)' ],
   )
 {
     my ( $step, $file, @pairs ) = @$_;
@@ -126,6 +123,24 @@ is( join( "\n", chebyshev_mark(<<'END') ), '', 'another way to say it' );
     return 1.0 - s * s / (variance + s * s);
 END
 
+my ($visibility) = grep { $_->{file} eq 'visibility.glsl' } tasks(5);
+my @said = mark( 5, $visibility, <<"END" );
+$visibility->{function}
+{
+    vec2 m = moments_at(receiver);
+    float guard = dot(guard_variance, vec2(m.y, 1.0));
+    float root = sqrt(m.y);
+    float variance = (root - m.x) * (root + m.x) + guard;
+    float mean = m.x * (1.0 + guard_mean.x) + guard_mean.y;
+    return reduce_bleeding(chebyshev(
+        mean, max(variance, min_variance + guard), receiver.depth));
+}
+END
+is( "@said", '', 'and the variance' );
+@said = mark( 5, $visibility,
+    mistaken( 5, $visibility, [ '', 'max(M2 - M1 * M1' => 'max(M2 - M1' ] ) );
+like( $said[0], qr/^The variance is 0,/, 'no variance' );
+
 # As right where something is drawn; but other pixels, or other surfaces, are.
 for my $statement (
     'if (int(gl_FragCoord.x) % 2 == 0) { discard; }',
@@ -139,7 +154,7 @@ for my $statement (
 like( ( chebyshev_mark('return 0.5;') )[0],
     qr/none of the mistakes/, 'unknown' );
 my ($hard) = grep { $_->{file} eq 'hard.glsl' } tasks(1);
-my @said = mark( 1, $hard,
+@said = mark( 1, $hard,
     "$hard->{function} { return sqrt(-1.0 - receiver.depth); }",
     sub { join ' ', png_size( $_[0] ), $_[1] } );
 like( $said[0], qr/no numbers/, 'not a number' );
