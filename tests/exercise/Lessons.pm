@@ -17,6 +17,7 @@ our @EXPORT_OK = qw(%LESSONS);
 #             another that the first run would let it hold fixed (a size, a
 #             layer, a constant): what is different from the first. In the
 #             first function's the whole program is looked at, too
+#             (With no options may a technique take the place of the file.)
 #   checks    what the oracle is asked about that run, and how those of its
 #             lines begin that are about this function
 #   shows     [files of the dump, channel]: where a difference is looked for
