@@ -8,7 +8,7 @@
 
 typedef struct Picture Picture;
 
-// Functions that a technique does not need are NULL.
+// Functions that a technique does not need are NULL; it needs `prepare`.
 typedef struct Technique {
     const Option *options; // or NULL: none; and what they are read into
     void *settings;
