@@ -956,6 +956,10 @@ my %mutants = (
         'robustness/exercise', 'tests/exercise/Tasks.pm',
         '$text =~ s', '( my $empty = $text ) =~ s'
     ],
+    'an exercise in whose place a technique stands' => [
+        'robustness/exercise', 'tests/exercise/Lessons.pm',
+        '--min-variance 0.01', '--variance-bias 1e-3'
+    ],
     'what was changed besides the functions' => [
         'robustness/exercise', 'tests/exercise/Marks.pm',
         '&& $largest <= $VISIBLE', ''
