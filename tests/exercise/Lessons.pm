@@ -54,9 +54,8 @@ our %LESSONS = (
             empty => 'return Receiver(vec2(0.5), 0.0, layer, normal, '
               . 'relative_position);',
             words => 'Where is this position in the map, u and v in [0, 1]? '
-              . 'Multiply by the matrix map_from_relative[layer] (layer at '
-              . 'most layers - 1), make the perspective, and let '
-              . 'light_depth() say how deep it is.',
+              . 'Multiply by the matrix map_from_relative[layer], make the '
+              . 'perspective, and let light_depth() say how deep it is.',
             options  => [qw(--scene stage)],
             also     => [
                 { options => [@ROOM] },

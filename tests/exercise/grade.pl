@@ -84,7 +84,7 @@ sub changes {
     my %known = known_files();
     my %task  = map { task_file( $step, $_ ) => 1 } tasks($step);
     for my $file ( sort keys %known ) {
-        my $shader = $file =~ m{/shaders/};
+        my $shader = $file =~ /\.(?:glsl|vert|geom|frag|comp)$/;
         my $most   = $shader ? $LONGEST_SHADER : length $known{$file};
         my $text   = eval { read_plain( $folder, $file, $most ) };
         next if defined $text ? $text eq $known{$file} : $@ eq "missing\n";

@@ -61,10 +61,9 @@ my $SIZE = 'textureSize(shadow_map, 0).xy';
 for (
     [ 1, 'hard.glsl', $SIZE => 'ivec2(128)' ],
     [ 1, 'hard.glsl', 'receiver.layer)' => '0)' ],
-    [ 1, 'map_coordinates.glsl', 'min(layer, layers - 1)' => '0' ],
-    [ 1, 'map_coordinates.glsl', 'receiver.layer < layers &&' => '' ],
-    [ 1, 'map_coordinates.glsl', 'return receiver' => 'return true || receiver'
-    ],
+    [ 1, 'map_coordinates.glsl', 'relative[layer]' => 'relative[0]' ],
+    [ 1, 'map_coordinates.glsl', 'position, layer)' => 'position, 0)' ],
+    [ 1, 'map_coordinates.glsl', 'return all(' => 'return true || all(' ],
     [
         2, 'pcf.glsl',
         'kernel,'         => '7,',
