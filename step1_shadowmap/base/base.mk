@@ -5,7 +5,7 @@
 # Its rooms, the lowest first: base/README.md says what is where. A program can
 # do without the last ones, as the lesson alone does.
 lesson_rooms := system files gl scene light picture run
-base_rooms := $(lesson_rooms) scenes leave_out measure safety
+base_rooms := $(lesson_rooms) seams legend scenes leave_out measure safety
 rooms = $(patsubst $(ROOT)/%,%,$(wildcard $(foreach room,$1,\
     $(ROOT)/step1_shadowmap/base/$(room)/*.[ch]* \
     $(ROOT)/step1_shadowmap/base/$(room)/shaders/*)))

@@ -28,8 +28,7 @@ struct Program {
     const char *files[PROGRAM_MAX_FILES + 1]; // names, NULL after the last
 };
 
-// The stage that a file is the last one of; 0: of none.
-static GLenum stage_of(const char *file)
+GLenum gl_stage_of(const char *file)
 {
     static const struct {
         const char *ending;
@@ -195,7 +194,7 @@ static GLuint compile(const Program *program, const char *const files[],
         complete = texts[read++] != NULL;
     }
     if (complete) {
-        shader = compile_texts(stage_of(files[count - 1]), program, files,
+        shader = compile_texts(gl_stage_of(files[count - 1]), program, files,
                                count, texts, message);
     }
     for (int i = 0; i < read; i++) {
@@ -210,7 +209,7 @@ static bool attach_stages(GLuint id, const Program *program, char *message)
 {
     const char *const *first = program->files;
     for (const char *const *file = first; *file != NULL; file++) {
-        if (stage_of(*file) != 0) {
+        if (gl_stage_of(*file) != 0) {
             GLuint shader =
                 compile(program, first, (int)(file + 1 - first), message);
             if (shader == 0) {
@@ -229,7 +228,7 @@ static void blame_last_stage(const char *log, const Program *program,
 {
     int first = 0, count = 0;
     for (; program->files[count] != NULL; count++) {
-        if (count > 0 && stage_of(program->files[count - 1]) != 0) {
+        if (count > 0 && gl_stage_of(program->files[count - 1]) != 0) {
             first = count;
         }
     }
@@ -259,69 +258,18 @@ static GLuint build(const Program *program, char *message)
     return id;
 }
 
-void gl_put_instead(Shaders *shaders, const char *file,
-                    const char *const files[])
+// Without base/seams a name stands for itself.
+__attribute__((weak)) void
+gl_find_files(const Shaders *shaders, const char *const names[],
+              const char *files[PROGRAM_MAX_FILES + 1])
 {
-    for (int i = 0; i < shaders->instead_count; i++) {
-        if (strcmp(shaders->instead[i].file, file) == 0) {
-            return;
-        }
-    }
-    if (shaders->instead_count == SHADERS_MAX_INSTEAD) {
-        die("more than %d shader files are replaced", SHADERS_MAX_INSTEAD);
-    }
-    shaders->instead[shaders->instead_count].file = file;
-    shaders->instead[shaders->instead_count++].files = files;
-}
-
-void gl_put_in_front(Shaders *shaders, const char *definitions)
-{
-    size_t length = strlen(shaders->front);
-    if (length + strlen(definitions) >= sizeof shaders->front) {
-        die("more than %d bytes of definitions", SHADERS_FRONT_BYTES);
-    }
-    strcpy(shaders->front + length, definitions);
-}
-
-// Whether the running stage has the file already.
-static bool has_file(const char *const files[], int count, const char *name)
-{
-    while (count > 0 && stage_of(files[count - 1]) == 0) {
-        if (strcmp(files[--count], name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-// Appends what a list stands for, but takes `but` as it is.
-static int append_files(const Shaders *shaders, const char *const names[],
-                        const char *but, const char *files[], int count)
-{
-    for (; *names != NULL; names++) {
-        const char *const *instead = NULL;
-        for (int i = 0; i < shaders->instead_count; i++) {
-            if (strcmp(shaders->instead[i].file, *names) == 0 &&
-                (but == NULL || strcmp(but, *names) != 0)) {
-                instead = shaders->instead[i].files;
-            }
-        }
-        if (instead != NULL) {
-            count = append_files(shaders, instead, *names, files, count);
-        } else if (count == PROGRAM_MAX_FILES) {
-            die("more than %d shader files", PROGRAM_MAX_FILES);
-        } else if (!has_file(files, count, *names)) {
-            files[count++] = *names;
-        }
+    int count = 0;
+    (void)shaders;
+    while (names[count] != NULL && count < PROGRAM_MAX_FILES) {
+        files[count] = names[count];
+        count++;
     }
     files[count] = NULL;
-    return count;
-}
-
-void gl_find_files(const Shaders *shaders, const char *const names[],
-                   const char *files[PROGRAM_MAX_FILES + 1])
-{
-    append_files(shaders, names, NULL, files, 0);
 }
 
 Program *gl_program(Shaders *shaders, const char *constants,

@@ -1,6 +1,6 @@
 #include "step1_shadowmap/base/gl/target.h"
 
-#include <string.h> // memmove, strcmp
+#include <string.h> // memmove
 
 #include "step1_shadowmap/base/system/die.h" // die
 
@@ -18,7 +18,7 @@ static size_t samples_of(const Target *target)
     return target->kind == TARGET_SAMPLES ? (size_t)target->samples : 1;
 }
 
-static void want_all(Target *target)
+void target_want_all(Target *target)
 {
     for (int layer = 0; layer < target->layers; layer++) {
         target->layer[layer].wanted = rect_whole(target->width, target->height);
@@ -26,7 +26,7 @@ static void want_all(Target *target)
     }
 }
 
-static void insert(Targets *targets, int place, Target *target)
+void target_insert(Targets *targets, int place, Target *target)
 {
     if (targets->count == TARGETS_MAX) {
         die("more than %d targets", TARGETS_MAX);
@@ -35,32 +35,12 @@ static void insert(Targets *targets, int place, Target *target)
             sizeof targets->list[0] * (size_t)(targets->count - place));
     targets->list[place] = target;
     targets->count++;
-    want_all(target);
+    target_want_all(target);
 }
 
 void target_add(Targets *targets, Target *target)
 {
-    insert(targets, targets->count, target);
-}
-
-void target_add_before(Targets *targets, Target *target, const Target *before)
-{
-    int place = 0;
-    while (place < targets->count && targets->list[place] != before) {
-        place++;
-    }
-    insert(targets, place, target);
-}
-
-Target *targets_find(const Targets *targets, const char *pass)
-{
-    for (int i = 0; i < targets->count; i++) {
-        const char *name = targets->list[i]->pass;
-        if (name != NULL && strcmp(name, pass) == 0) {
-            return targets->list[i];
-        }
-    }
-    return NULL;
+    target_insert(targets, targets->count, target);
 }
 
 Target target_reading(Target *source, const char *pass, int factor)
@@ -82,16 +62,6 @@ Target target_alias(Target *of)
     target.shares = of;
     target.alias = true;
     return target;
-}
-
-void target_take_place(Target *target, Target *other)
-{
-    const char *file = target->file;
-    int looked_up = target->looked_up;
-    *target = target_alias(other);
-    target->file = file;
-    target->looked_up = looked_up;
-    want_all(target);
 }
 
 static void make_layers(Target *target)
@@ -197,6 +167,13 @@ static size_t touched_bytes(const Target *target)
                  samples_of(target->reads) * target_texel_bytes(target->reads);
     }
     return bytes;
+}
+
+// Adds a draw of so many texels: bytes written and read for each of them.
+static void touch(Touched *touched, size_t texels, size_t bytes_for_each)
+{
+    touched->texels += texels;
+    touched->bytes += texels * bytes_for_each;
 }
 
 const Rect *target_wanted(Target *target, int layer)

@@ -4,8 +4,7 @@
 #ifndef BASE_TARGET_H
 #define BASE_TARGET_H
 
-#include "step1_shadowmap/base/gl/gl.h"            // Sampling
-#include "step1_shadowmap/base/system/stopwatch.h" // Touched
+#include "step1_shadowmap/base/gl/gl.h" // Sampling
 
 enum {
     TARGET_MAX_LAYERS = 8,
@@ -20,6 +19,15 @@ typedef enum TargetKind {
     TARGET_PICTURE, // as many 2D textures as there are outputs
     TARGET_NOTHING  // no texture: the pass is only named in --plan
 } TargetKind;
+
+// How much a pass has to do at least: the texels, pixels or samples that it
+// writes, and the bytes of these and of those that it reads of what was drawn
+// before it; each once per draw. What a picture's pixels look up is not
+// counted.
+typedef struct Touched {
+    size_t texels;
+    size_t bytes;
+} Touched;
 
 typedef struct Target Target;
 
@@ -73,6 +81,10 @@ typedef struct Targets {
 // Adds a target, which has to stay where it is. All of it is wanted from here
 // on. Nothing of OpenGL is made yet.
 void target_add(Targets *targets, Target *target);
+
+// What these two stand on.
+void target_insert(Targets *targets, int place, Target *target);
+void target_want_all(Target *target);
 
 // The same, before one that is there: where a technique has passes between.
 void target_add_before(Targets *targets, Target *target, const Target *before);

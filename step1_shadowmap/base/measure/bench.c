@@ -3,7 +3,8 @@
 #include <stdlib.h> // free, qsort
 #include <string.h> // memcpy, strcmp
 
-#include "step1_shadowmap/base/run/extras.h" // bench_options, ...
+#include "step1_shadowmap/base/measure/stopwatch.h" // measure_clock
+#include "step1_shadowmap/base/run/extras.h"        // bench_options, ...
 #include "step1_shadowmap/base/system/die.h" // allocate, complain, die_usage
 
 enum {
@@ -95,7 +96,7 @@ bool bench_next(Frame *frame, int drawn)
 {
     bool another = drawn < (state.bench > 0 ? state.bench + WARM_UP : 1);
     if (drawn > 0 && state.bench > 0) {
-        keep_times(&frame->clock, drawn - 1);
+        keep_times(measure_clock(), drawn - 1);
     }
     if (state.move != NULL && another) {
         move_objects(&frame->scene, drawn == 0);

@@ -4,9 +4,10 @@
 
 #include <stdlib.h> // free
 
-#include "step1_shadowmap/base/files/file.h" // file_write
-#include "step1_shadowmap/base/run/extras.h" // measure_dump
-#include "step1_shadowmap/base/system/die.h" // die
+#include "step1_shadowmap/base/files/file.h"        // file_write
+#include "step1_shadowmap/base/measure/stopwatch.h" // measure_clock
+#include "step1_shadowmap/base/run/extras.h"        // measure_dump
+#include "step1_shadowmap/base/system/die.h"        // die
 
 // As a JSON string, quoted and escaped.
 static void write_text(FILE *file, const char *text)
@@ -122,7 +123,7 @@ static void write_run(FILE *file, const Frame *frame)
             (const char *)glGetString(GL_RENDERER));
     fprintf(file, "  \"gl_version\": \"%s\",\n",
             (const char *)glGetString(GL_VERSION));
-    write_passes(file, &frame->clock);
+    write_passes(file, measure_clock());
     fputs("}\n", file);
 }
 

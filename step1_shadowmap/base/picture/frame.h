@@ -6,7 +6,6 @@
 #include "step1_shadowmap/base/light/view.h"       // Views
 #include "step1_shadowmap/base/picture/geometry.h" // Geometry
 #include "step1_shadowmap/base/picture/settings.h" // BaseSettings
-#include "step1_shadowmap/base/system/stopwatch.h" // Stopwatch
 
 enum { TECHNIQUES_MAX = 24 };
 
@@ -43,9 +42,8 @@ typedef struct Frame {
     // Shader files that stand for a visibility() where nothing is looked up;
     // NULL: something is.
     const char *const *visibility;
-    bool looks_up; // the picture looks maps up, now or in a later frame
-    bool changes;  // later frames may show something else
-    Stopwatch clock;
+    bool looks_up;    // the picture looks maps up, now or in a later frame
+    bool changes;     // later frames may show something else
     GLuint empty_vao; // for passes that cover the whole viewport
     // In the frame after the last, which draws the maps alone and all of them:
     // the directory of --dump. Else NULL.
@@ -61,9 +59,17 @@ Target frame_map(const Frame *frame, const char *pass, GLenum format,
 // 0, at far depth outside; and `layer` is the layer.
 void frame_filter(const Frame *frame, Program *program, Target *target);
 
+// base/measure takes the time of passes; without it these do nothing.
+
+// A frame begins, with what is planned before its first pass.
+void frame_start(void);
+
 // The passes since the last call, or since the frame's start, are done: notes
 // their time and what they touched under this name. Nothing if all that they
 // draw are maps that the picture does not look up.
 void frame_lap(Frame *frame, const char *name);
+
+// What the last frame took; 0: nobody knows.
+double frame_milliseconds(void);
 
 #endif

@@ -67,6 +67,17 @@ static Program *create_program(Frame *frame, const char *constants,
     return gl_program(&frame->shaders, constants, files);
 }
 
+__attribute__((weak)) Program *legend_create(Frame *frame)
+{
+    (void)frame;
+    return NULL;
+}
+
+__attribute__((weak)) void legend_draw(Program *legend, const Frame *frame)
+{
+    (void)legend, (void)frame;
+}
+
 void picture_create(Picture *picture, Frame *frame, Target *map,
                     const char *constants, const char *const visibility[])
 {
@@ -83,8 +94,7 @@ void picture_create(Picture *picture, Frame *frame, Target *map,
     techniques_create(frame, picture);
     target_add(&frame->targets, &picture->target);
     picture->program = create_program(frame, constants, visibility);
-    picture->legend = legend_create(&frame->shaders, base_show_mode(settings),
-                                    settings->size[0], settings->size[1]);
+    picture->legend = legend_create(frame);
 }
 
 static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
@@ -138,7 +148,7 @@ void picture_draw(const Picture *picture, const Frame *frame)
         geometry_draw(&frame->geometry, &frame->scene, &frame->views.seen,
                       frame->views.origin);
     }
-    legend_draw(&picture->legend, frame->empty_vao);
+    legend_draw(picture->legend, frame);
 }
 
 // One of the picture's outputs; the caller frees it.

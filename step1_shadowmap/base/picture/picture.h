@@ -3,8 +3,7 @@
 #ifndef BASE_PICTURE_H
 #define BASE_PICTURE_H
 
-#include "step1_shadowmap/base/picture/frame.h"  // Frame
-#include "step1_shadowmap/base/picture/legend.h" // Legend
+#include "step1_shadowmap/base/picture/frame.h" // Frame
 
 // Outputs that techniques may write for --dump.
 enum { PICTURE_FOOTPRINT = 5, PICTURE_HANDOVER = 6 };
@@ -14,8 +13,8 @@ typedef struct Picture {
     Target *map;                   // is looked up
     const char *const *visibility; // the files that look it up
     Program *program;
-    bool drawing; // it is wanted in this frame
-    Legend legend;
+    bool drawing;    // it is wanted in this frame
+    Program *legend; // or NULL
 } Picture;
 
 // `visibility` lists the fragment shader files (NULL at the end) that define
@@ -40,5 +39,10 @@ void picture_write(const Picture *picture, const char *path);
 // directory, and what techniques write; needs a picture that was made with
 // --dump.
 void picture_dump(const Picture *picture, const char *directory);
+
+// base/legend has these; without it there is none. It says what the colours of
+// a --show picture mean, over colour attachment 0 of the bound framebuffer.
+Program *legend_create(Frame *frame);
+void legend_draw(Program *legend, const Frame *frame);
 
 #endif

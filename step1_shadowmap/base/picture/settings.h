@@ -4,10 +4,19 @@
 
 #include <stdbool.h>
 
-#include "step1_shadowmap/base/picture/legend.h" // ShowMode
 #include "step1_shadowmap/base/system/options.h" // Option
 #include "step1_shadowmap/base/light/view.h"     // ViewsSize
 #include "step1_shadowmap/base/scene/scene.h"    // Scene
+
+// One choice of --show.
+typedef struct ShowMode {
+    const char *name;
+    const char *shader; // file that defines vec3 show(...)
+    const char *scale;  // file that defines vec3 scale_color(float) for values
+                        // from 0 to 1, which the legend shows; or NULL
+    const char *legend; // what the scale means: "low .. what .. high"
+    bool reads_map;     // every pixel looks the map up, lit or not
+} ShowMode;
 
 enum { SHOWS_MAX = 6 };
 

@@ -103,7 +103,7 @@ bool run_next(Run *run, Picture *picture, const char *subject, ...)
         return next_dump(run);
     }
     run->drawn++;
-    stopwatch_start(&frame->clock);
+    frame_start();
     leave_out_look(frame);
     leave_out_begin(frame, run->window.reload);
     techniques_before(frame);

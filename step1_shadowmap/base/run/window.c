@@ -168,9 +168,12 @@ void window_show(const Window *window, const Frame *frame,
                  const Picture *picture)
 {
     const BaseSettings *settings = &frame->settings;
-    char title[256];
-    snprintf(title, sizeof title, "%s - %s - %.1f ms%s", settings->scene,
-             window->subject, stopwatch_total(&frame->clock),
+    char title[256], time[32] = "";
+    if (frame_milliseconds() > 0) {
+        snprintf(time, sizeof time, " - %.1f ms", frame_milliseconds());
+    }
+    snprintf(title, sizeof title, "%s - %s%s%s", settings->scene,
+             window->subject, time,
              window->shader_error ? " - shader error" : "");
     present(window, frame, picture->target.textures[0]);
     context_show(window->context, title);

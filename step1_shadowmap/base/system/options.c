@@ -302,16 +302,3 @@ void *options_value(const OptionTable tables[], const char *name)
     const OptionTable *table = table_of(tables, name, &index);
     return table == NULL ? NULL : value_of(table, &table->options[index]);
 }
-
-bool options_on(const OptionTable tables[], const char *flag)
-{
-    const bool *value = options_value(tables, flag);
-    return value != NULL && *value;
-}
-
-bool options_is(const OptionTable tables[], const char *name,
-                const char *choice)
-{
-    const char *const *value = options_value(tables, name);
-    return value != NULL && strcmp(*value, choice) == 0;
-}

@@ -1,6 +1,8 @@
-#include "step1_shadowmap/base/picture/legend.h"
+// What the colours of a --show picture mean, drawn into its corner.
 
 #include <string.h> // strchr, strlen
+
+#include "step1_shadowmap/base/picture/picture.h" // legend_draw
 
 enum { MAX_GLYPHS = 48 };
 
@@ -28,29 +30,24 @@ static int set_text(GLuint program, const char *text)
     return count;
 }
 
-Legend legend_create(Shaders *shaders, const ShowMode *mode, int width,
-                     int height)
+Program *legend_create(Frame *frame)
 {
-    Legend legend = {.width = width, .height = height};
-    if (mode->scale == NULL) {
-        return legend;
-    }
+    const ShowMode *mode = base_show_mode(&frame->settings);
     const char *files[] = {
         "step1_shadowmap/base/picture/shaders/fullscreen.vert", mode->scale,
-        "step1_shadowmap/base/picture/shaders/legend.frag", NULL};
-    legend.text = mode->legend;
-    legend.program = gl_program(shaders, NULL, files);
-    return legend;
+        "step1_shadowmap/base/legend/shaders/legend.frag", NULL};
+    return mode->scale == NULL ? NULL
+                               : gl_program(&frame->shaders, NULL, files);
 }
 
-void legend_draw(const Legend *legend, GLuint empty_vao)
+void legend_draw(Program *legend, const Frame *frame)
 {
-    if (legend->program == NULL) {
+    if (legend == NULL) {
         return;
     }
-    GLuint program = gl_use(legend->program);
-    int count = set_text(program, legend->text);
-    int zoom = 1 + legend->height / 360;
+    GLuint program = gl_use(legend);
+    int count = set_text(program, base_show_mode(&frame->settings)->legend);
+    int zoom = 1 + frame->settings.size[1] / 360;
     int corner = 4 * zoom;
     int width = count * 4 * zoom;
     int height = 15 * zoom;
@@ -62,5 +59,5 @@ void legend_draw(const Legend *legend, GLuint empty_vao)
     glDrawBuffers(1, all);
     glDisable(GL_DEPTH_TEST);
     glViewport(corner, corner, width, height);
-    gl_draw_fullscreen(empty_vao);
+    gl_draw_fullscreen(frame->empty_vao);
 }

@@ -1,0 +1,34 @@
+// How a technique takes part among the targets.
+#include <string.h> // strcmp
+
+#include "step1_shadowmap/base/gl/target.h" // target_insert
+
+void target_add_before(Targets *targets, Target *target, const Target *before)
+{
+    int place = 0;
+    while (place < targets->count && targets->list[place] != before) {
+        place++;
+    }
+    target_insert(targets, place, target);
+}
+
+Target *targets_find(const Targets *targets, const char *pass)
+{
+    for (int i = 0; i < targets->count; i++) {
+        const char *name = targets->list[i]->pass;
+        if (name != NULL && strcmp(name, pass) == 0) {
+            return targets->list[i];
+        }
+    }
+    return NULL;
+}
+
+void target_take_place(Target *target, Target *other)
+{
+    const char *file = target->file;
+    int looked_up = target->looked_up;
+    *target = target_alias(other);
+    target->file = file;
+    target->looked_up = looked_up;
+    target_want_all(target);
+}

@@ -1,0 +1,16 @@
+#include <string.h> // strcmp
+
+#include "step1_shadowmap/base/system/options.h" // options_value
+
+bool options_on(const OptionTable tables[], const char *flag)
+{
+    const bool *value = options_value(tables, flag);
+    return value != NULL && *value;
+}
+
+bool options_is(const OptionTable tables[], const char *name,
+                const char *choice)
+{
+    const char *const *value = options_value(tables, name);
+    return value != NULL && strcmp(*value, choice) == 0;
+}
