@@ -28,8 +28,8 @@ include step1_shadowmap/base/base.mk
 include tests/tests.mk
 
 .PHONY: all programs set-up set-up-tests test identical stability fuzz mutants saved \
-    sanitize report table bench exercise grade standalone lesson window diff figures lint \
-    format clean help
+    sanitize report table bench exercise grade standalone lesson shader window diff \
+    figures lint format clean help
 
 # All pictures are made again when a program or a shader has changed, or when
 # one of them is missing or is newer than the strip: somebody else wrote it.
@@ -61,6 +61,9 @@ lesson = $(foreach file,$($1),$(if $(findstring /techniques/,$(file)),,$(file)))
 lesson: ## copy step STEP's lesson alone to DIR: it draws the default picture's bytes
 	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) \
 	    $(call lesson,$(program)) $(base_rest) $(call rooms,$(lesson_rooms))
+
+shader: $(BUILD)/$(program) ## print the shader program of step STEP's picture
+	@$< --print-shader
 
 window: $(BUILD)/$(program) ## open step STEP in a window
 	@$< --window

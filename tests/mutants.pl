@@ -232,6 +232,16 @@ my %mutants = (
         'robustness/bad_input', 'step1_shadowmap/base/safety/crash.c',
         'steered || steers(*variable)', 'steered && steers(*variable)'
     ],
+    'a printed program without its constants' => [
+        'robustness/printed', 'step1_shadowmap/base/gl/gl_program.c',
+        "version_of(stage_from(name)),\n                    program->constants",
+        'version_of(stage_from(name)), ""'
+    ],
+    'a printed program with the lesson in place of a technique' => [
+        'robustness/printed', 'step1_shadowmap/base/gl/gl_program.c',
+        'gl_find_files(shaders, files, program->files);',
+        'gl_find_files(&(Shaders){0}, files, program->files);'
+    ],
     'what is printed is lost' => [
         'robustness/printed', 'step1_shadowmap/base/system/die.c',
         'fflush(stdout) != 0 || ferror(stdout)',

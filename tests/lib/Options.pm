@@ -61,7 +61,7 @@ sub check_help {
       map { $_ => 1 } $run->{out} =~ /^  --([\w-]+).*\n(?!.*\(default .+\)$)/mg;
     my %expected = map { $_ => 1 }
       qw(adaptive bilinear deferred dump hybrid keep-all light list-scenes
-      mips move plan redraw sat shaders slope-term soft window);
+      mips move plan print-shader redraw sat shaders slope-term soft window);
     is(
         join( ' ', grep { $silent{$_} } sort @own ),
         join( ' ', grep { $expected{$_} } sort @own ),

@@ -56,9 +56,10 @@ my %OPTIONS = (
         bad     => [ 'yes', '', 'on,off' ],
         allowed => qr/on,\s?off/,
     },
-    'list-scenes' => { steps => [ 1 .. 5 ] },    # in scenes.t
-    window        => { steps => [ 1 .. 5 ] },    # in window.t
-    size          => {
+    'list-scenes'  => { steps => [ 1 .. 5 ] },    # in scenes.t
+    'print-shader' => { steps => [ 1 .. 5 ] },    # in printed.t
+    window         => { steps => [ 1 .. 5 ] },    # in window.t
+    size           => {
         steps   => [ 1 .. 5 ],
         check   => \&check_size,
         bad     => [ @NO_SIZE, '', '16', ' 16x9' ],

@@ -19,15 +19,15 @@ sub redirected {
 
 
 for my $step ( 1, 5 ) {
-    for my $words ( ['--help'], ['--list-scenes'], ['--plan'],
-        [qw(--bench 1 --redraw)], [qw(--output a.png)] )
+    for my $words ( ['--help'], ['--list-scenes'], ['--print-shader'],
+        ['--plan'], [qw(--bench 1 --redraw)], [qw(--output a.png)] )
     {
         stops {
             my $run = redirected( '>/dev/full', program($step), @small, @$words );
             unlink 'a.png';
             return $run;
         }
-        1, [qr/cannot write to stdout: No space/], "step $step, @$words, full";
+        1, [qr/cannot write to stdout: (?:No space|a part)/], "step $step, @$words, full";
     }
 }
 for my $words ( ['--help'], ['--plan'], [qw(--output a.png)] ) {
@@ -71,5 +71,30 @@ for my $words ( ['--redraw'], ['--keep-all'], [qw(--move teapot)],
     $run = run( 5, @small, qw(--bench 1), @$words );
     is( $run->{err}, '', "--bench 1 @$words: no word of it" );
 }
+
+# The picture's program, as the driver is given it: each stage begins with its
+# version and the constants.
+sub printed_files {
+    my ( $constants, @words ) = @_;
+    my $run   = run( @words, '--print-shader' );
+    my @names = $run->{out} =~ /^\/\/ ---- (.*) ----$/mg;
+    my ( $expected, $begins ) = ( '', 1 );
+    for my $name (@names) {
+        $expected .= "#version 330 core\n$constants\n\n" if $begins;
+        $expected .= "// ---- $name ----\n\n" . slurp( root() . "/$name" ) . "\n";
+        $begins = $name =~ /(?:vert|geom|frag)\z/;
+    }
+    is( $run->{status} . $run->{err}, '0', "step @words: --print-shader" );
+    is( $run->{out}, $expected, "step @words: every file, as it is" );
+    return @names;
+}
+
+my @names = printed_files( 'const int kernel = 7;', 2 );
+like( "@names", qr{\A\S+/scene.vert .*/pcf.glsl .*/scene.frag\z},
+    'the files of both stages in their order' );
+@names = printed_files( '', qw(3 --moments central) );
+like( "@names", qr{/between_central.glsl}, 'what a technique adds' );
+unlike( "@names", qr{lookup_bilinear}, 'and not what it replaces' );
+ok( !-e 'out', 'and draws nothing' );
 
 done_testing;

@@ -7,6 +7,7 @@
 #include <glad/gl.h>
 #include <stdbool.h>
 #include <stddef.h> // size_t
+#include <stdio.h>  // FILE
 
 #include "step1_shadowmap/base/gl/rect.h" // Rect
 
@@ -73,6 +74,10 @@ bool gl_has_compute(void);
 // it the first time: an error stops the run with the file and line that it is
 // in.
 GLuint gl_use(Program *program);
+
+// Writes a program as it is compiled, stage by stage: the version, the
+// constants, and each file's name and text.
+void gl_print(const Program *program, FILE *file);
 
 // Compiles all programs that were not used yet: after that a file that somebody
 // breaks cannot stop the run.

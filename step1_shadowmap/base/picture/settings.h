@@ -36,6 +36,7 @@ typedef struct BaseSettings {
     const ShowMode *shows[SHOWS_MAX]; // lists of its choices, then NULL
     const char *dump;                 // directory, or NULL
     const char *shaders;              // directory, or NULL
+    bool print_shader; // the picture's program, in place of drawing
     bool window;
     const char *context;
     ViewsFit *fit; // of a light that is not directional, or has many views
