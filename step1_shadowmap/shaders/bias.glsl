@@ -10,7 +10,7 @@ uniform float slope_bias;  // of the depth change across half the kernel
 float comparison_bias(Receiver receiver, int kernel, vec2 map_size)
 {
     vec2 per_texel = abs(depth_slope(receiver.relative_position,
-                                     receiver.normal, receiver.layer, 0.02)) /
+                                     receiver.normal, receiver.layer)) /
                      map_size;
     float half_kernel = 0.5 * float(kernel + 1);
     return bias + slope_bias * half_kernel * (per_texel.x + per_texel.y);

@@ -11,9 +11,21 @@ uniform int layer;
 
 flat in vec3 plane_normal;
 
+// As depth_slope(), but nearer to edge on: moments_of() limits what it gives.
+vec2 plane_slope(vec3 relative_position, vec3 normal)
+{
+    vec4 map_position = map_from_relative[layer] * vec4(relative_position, 1.0);
+    vec3 u = map_gradient(map_position, layer, 0);
+    vec3 v = map_gradient(map_position, layer, 1);
+    vec3 t = depth_gradient(relative_position, layer);
+    vec3 ray = cross(u, v);
+    float facing = max(abs(dot(normal, ray)), 1e-5 * length(ray));
+    return vec2(dot(t, cross(v, normal)), -dot(t, cross(u, normal))) / facing;
+}
+
 float slope_variance(float depth)
 {
     vec2 per_texel =
-        depth_slope(relative_position, plane_normal, layer, 1e-5) / slope_map_size;
+        plane_slope(relative_position, plane_normal) / slope_map_size;
     return 0.25 * dot(per_texel, per_texel);
 }

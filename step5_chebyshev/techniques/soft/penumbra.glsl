@@ -61,7 +61,7 @@ vec2 area_moments(Receiver receiver, float diameter, vec2 size)
 {
     float texels = max(diameter / 2.6, 1.0);
     vec2 slope = depth_slope(receiver.relative_position, receiver.normal,
-                             receiver.layer, 0.02) / size;
+                             receiver.layer) / size;
     vec2 moments =
         moments_at_level(receiver.uv, receiver.layer, log2(texels));
     float deviation = 0.65 * texels * length(slope);

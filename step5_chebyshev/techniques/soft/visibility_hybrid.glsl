@@ -19,7 +19,7 @@ float visibility(Receiver receiver)
     }
     ivec2 size = textureSize(shadow_map, 0).xy;
     vec2 slope = depth_slope(receiver.relative_position, receiver.normal,
-                             receiver.layer, 0.02);
+                             receiver.layer);
     float bias = comparison_bias(receiver, 1, vec2(size));
     mat2 uv_step = reach(disc) * disc.uv_step;
     float lit = 0.0;
