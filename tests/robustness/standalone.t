@@ -8,6 +8,7 @@ use warnings;
 use File::Compare qw(compare);
 use File::Path    qw(make_path);
 use File::Temp    qw(tempdir);
+use Lists;
 use Test::More;
 use VSM;
 
@@ -15,32 +16,15 @@ my $work = tempdir( CLEANUP => 1 );
 $work .= '/it\'s my copy $x #1 (b) [c]{d} 100% "q" & \\t;*';
 mkdir $work;
 
-# `make test` hands its own flags and options down; what is tested here is a
-# make that somebody types.
-delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES STEP DEPS BUILD)};
-delete @ENV{qw(CFLAGS CXXFLAGS LDFLAGS)};
-
 # Optimising does not change the picture, only how long the compiler takes.
 my @quick = qw(-j2 DEPS=no CXXFLAGS=-O0 CFLAGS=-O0);
 
-sub make {
-    return command( '/usr/bin/env', 'make', @_ );
-}
-
-# The files of a list that the Makefiles make.
-sub list {
-    my ($name) = @_;
-    my $run = make( '-s', '-C', root(), 'DEPS=no',
-        "--eval=list: ; \@echo \$($name)", 'list' );
-    return split ' ', $run->{out};
-}
-
-sub step_list { return list( program_name(@_) ) }
+sub step_list { return made_list( program_name(@_) ) }
 
 # A lesson is its step without techniques.
 sub lesson { return grep { !m{/techniques/} } step_list(@_) }
 
-my @base = list('base');
+my @base = made_list('base');
 
 sub check_copy {
     my ( $step, $folder ) = @_;
