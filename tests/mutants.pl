@@ -220,13 +220,12 @@ my %mutants = (
         '"%s/step1_shadowmap"', '"%s/step1_shadowmap/shaders"'
     ],
     'a link to no shader is not there' => [
-        'robustness/moved', 'step1_shadowmap/base/gl/gl_program.c',
+        'robustness/moved', 'step1_shadowmap/base/gl/shader_file.c',
         'lstat(path, &status) == 0', 'stat(path, &status) == 0'
     ],
     "an error in the tree's file, which was not read" => [
         'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
-        'find_shader(program, files[numbered',
-        'find_shader(&(Program){.shaders = &(Shaders){0}}, files[numbered'
+        'shader_find(program->shaders->directory', 'shader_find(NULL'
     ],
     'a driver that crashes without a word' => [
         'robustness/bad_input', 'step1_shadowmap/base/safety/crash.c',
@@ -898,11 +897,11 @@ my %mutants = (
         'gl_compile(&frame->shaders);', ''
     ],
     'a byte order mark that is compiled' => [
-        'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
+        'robustness/bad_input', 'step1_shadowmap/base/gl/shader_file.c',
         'strncmp(text, mark, strlen(mark)) == 0', '0'
     ],
     'a shader that is cut at a zero byte' => [
-        'robustness/bad_input', 'step1_shadowmap/base/gl/gl_program.c',
+        'robustness/bad_input', 'step1_shadowmap/base/gl/shader_file.c',
         ' || strlen(text) != length', ''
     ],
     'shaders where nobody looks for them' => [

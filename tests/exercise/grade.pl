@@ -16,7 +16,7 @@ use Submission;
 use Tasks;
 use VSM;
 
-my $LONGEST_SHADER = ( 1 << 14 ) - 1;    # as in base/gl/gl_program.c
+my $LONGEST_SHADER = ( 1 << 14 ) - 1;    # as in base/gl/shader_file.c
 
 my ( $step, $folder ) = @ARGV;
 

@@ -54,9 +54,6 @@ void gl_put_in_front(Shaders *shaders, const char *definitions);
 void gl_find_files(const Shaders *shaders, const char *const names[],
                    const char *files[PROGRAM_MAX_FILES + 1]);
 
-// The stage that a file is the last one of; 0: of none.
-GLenum gl_stage_of(const char *file);
-
 // A program of several shader files, NULL at the end; the names stay valid. The
 // files of a stage are compiled as one shader, in that order. The last one has
 // main(), and its name says which stage it is: .vert, .geom, .frag or .comp.

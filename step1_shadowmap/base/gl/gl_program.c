@@ -1,24 +1,14 @@
-// The programs of gl.h: read, compiled, linked, and read again.
-#define _POSIX_C_SOURCE 200809L // lstat
-
+// The programs of gl.h: compiled, linked, and compiled again.
 #include "step1_shadowmap/base/gl/gl.h"
 
-#include <errno.h>
-#include <stdio.h>    // fopen, snprintf, sscanf
-#include <stdlib.h>   // free
-#include <string.h>   // memmove, strchr, strcmp, strcspn, strlen, strrchr, ...
-#include <sys/stat.h> // lstat
+#include <stdio.h>  // snprintf, sscanf
+#include <stdlib.h> // free
+#include <string.h> // strchr, strcmp, strcpy, strcspn, strlen, strstr
 
-#include "step1_shadowmap/base/system/die.h" // allocate, complain, die
-#include "step1_shadowmap/base/files/tree.h" // tree_find
+#include "step1_shadowmap/base/gl/shader_file.h" // shader_read
+#include "step1_shadowmap/base/system/die.h"     // allocate, complain, die
 
-enum {
-    LINES_PER_FILE = 10000,
-    FILE_BYTES = 1 << 14, // of the longest shader file, with the final 0
-    PATH_BYTES = 2 * FILE_NAME_BYTES,
-    LOG_BYTES = 4096,
-    MESSAGE_BYTES = PATH_BYTES + LOG_BYTES + 64
-};
+enum { LINES_PER_FILE = 10000, LOG_BYTES = 4096 };
 
 struct Program {
     GLuint id; // 0 before the program is used
@@ -28,96 +18,6 @@ struct Program {
     const char *files[PROGRAM_MAX_FILES + 1]; // names, NULL after the last
 };
 
-GLenum gl_stage_of(const char *file)
-{
-    static const struct {
-        const char *ending;
-        GLenum type;
-    } stages[] = {{".vert", GL_VERTEX_SHADER},
-                  {".geom", GL_GEOMETRY_SHADER},
-                  {".frag", GL_FRAGMENT_SHADER},
-                  {".comp", GL_COMPUTE_SHADER}};
-    const char *ending = strrchr(file, '.');
-    for (int i = 0; i < 4; i++) {
-        if (ending != NULL && strcmp(ending, stages[i].ending) == 0) {
-            return stages[i].type;
-        }
-    }
-    return 0;
-}
-
-// What is left of the file as a string; NULL if it cannot be read or is no
-// text. A byte order mark, which some editors put in front, is none of GLSL.
-static char *read_all(FILE *file)
-{
-    static const char mark[] = "\xef\xbb\xbf";
-    char *text = allocate(FILE_BYTES, 1);
-    size_t length = 0;
-    while (!feof(file) && !ferror(file) && length + 1 < FILE_BYTES) {
-        length += fread(text + length, 1, FILE_BYTES - length - 1, file);
-    }
-    if (ferror(file) || !feof(file) || strlen(text) != length) {
-        free(text);
-        return NULL;
-    }
-    if (strncmp(text, mark, strlen(mark)) == 0) {
-        memmove(text, text + strlen(mark), length + 1 - strlen(mark));
-    }
-    return text;
-}
-
-static bool is_there(const char *path)
-{
-    struct stat status;
-    return lstat(path, &status) == 0; // a link to nothing is there
-}
-
-// The file that is read for this name: that of --shaders, or the tree's. False
-// where there is no tree.
-static bool find_shader(const Program *program, const char *name,
-                        char path[PATH_BYTES])
-{
-    char tree[FILE_NAME_BYTES];
-    if (program->shaders->directory != NULL) {
-        snprintf(path, PATH_BYTES, "%s/%s", program->shaders->directory, name);
-        if (is_there(path)) {
-            return true;
-        }
-    }
-    bool found = tree_find(tree);
-    snprintf(path, PATH_BYTES, "%s/%s", tree, name);
-    return found;
-}
-
-// The text of a shader file, or NULL and what is wrong with it.
-static char *read_shader(const Program *program, const char *name,
-                         char *message)
-{
-    char path[PATH_BYTES];
-    if (!find_shader(program, name, path)) {
-        snprintf(message, MESSAGE_BYTES,
-                 "no shaders: this program is in no folder below one that "
-                 "holds %s; put it back, or say --shaders DIR",
-                 name);
-        return NULL;
-    }
-    FILE *file = fopen(path, "rb");
-    if (file == NULL && errno == ENOENT) {
-        snprintf(message, MESSAGE_BYTES, "missing shader file %s", path);
-        return NULL;
-    }
-    char *text = file == NULL ? NULL : read_all(file);
-    if (text == NULL) {
-        snprintf(message, MESSAGE_BYTES,
-                 "cannot read %s (or it is no text, or over %d bytes)", path,
-                 FILE_BYTES - 1);
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
-    return text;
-}
-
 // Drivers put the number of the source string and the line in front, as in
 // "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). The
 // message is the first line that says "error", with the name of the file that
@@ -125,7 +25,7 @@ static char *read_shader(const Program *program, const char *name,
 static void explain_log(const char *log, const Program *program,
                         const char *const files[], int count, char *message)
 {
-    char path[PATH_BYTES];
+    char path[SHADER_PATH_BYTES];
     const char *line = log;
     while (strstr(line, "error") != NULL && strchr(line, '\n') != NULL &&
            strstr(line, "error") > strchr(line, '\n')) {
@@ -137,13 +37,14 @@ static void explain_log(const char *log, const Program *program,
     bool numbered =
         sscanf(line, "%*d%*[:(]%d%*[^:]%n", &number, &skipped) == 1 &&
         number / LINES_PER_FILE < count;
-    find_shader(program, files[numbered ? number / LINES_PER_FILE : count - 1],
-                path);
+    shader_find(program->shaders->directory,
+                files[numbered ? number / LINES_PER_FILE : count - 1], path);
     if (numbered) {
-        snprintf(message, MESSAGE_BYTES, "shader %s:%d%.*s", path,
+        snprintf(message, SHADER_MESSAGE_BYTES, "shader %s:%d%.*s", path,
                  number % LINES_PER_FILE, length - skipped, line + skipped);
     } else {
-        snprintf(message, MESSAGE_BYTES, "shader %s: %.*s", path, length, line);
+        snprintf(message, SHADER_MESSAGE_BYTES, "shader %s: %.*s", path, length,
+                 line);
     }
 }
 
@@ -194,11 +95,12 @@ static GLuint compile(const Program *program, const char *const files[],
     int read = 0;
     bool complete = true;
     while (complete && read < count) {
-        texts[read] = read_shader(program, files[read], message);
+        texts[read] =
+            shader_read(program->shaders->directory, files[read], message);
         complete = texts[read++] != NULL;
     }
     if (complete) {
-        shader = compile_texts(gl_stage_of(files[count - 1]), program, files,
+        shader = compile_texts(shader_stage(files[count - 1]), program, files,
                                count, texts, message);
     }
     for (int i = 0; i < read; i++) {
@@ -213,7 +115,7 @@ static bool attach_stages(GLuint id, const Program *program, char *message)
 {
     const char *const *first = program->files;
     for (const char *const *file = first; *file != NULL; file++) {
-        if (gl_stage_of(*file) != 0) {
+        if (shader_stage(*file) != 0) {
             GLuint shader =
                 compile(program, first, (int)(file + 1 - first), message);
             if (shader == 0) {
@@ -232,7 +134,7 @@ static void blame_last_stage(const char *log, const Program *program,
 {
     int first = 0, count = 0;
     for (; program->files[count] != NULL; count++) {
-        if (count > 0 && gl_stage_of(program->files[count - 1]) != 0) {
+        if (count > 0 && shader_stage(program->files[count - 1]) != 0) {
             first = count;
         }
     }
@@ -293,7 +195,7 @@ Program *gl_program(Shaders *shaders, const char *constants,
 
 GLuint gl_use(Program *program)
 {
-    char message[MESSAGE_BYTES];
+    char message[SHADER_MESSAGE_BYTES];
     if (program->id == 0) {
         program->id = build(program, message);
     }
@@ -342,7 +244,7 @@ void gl_compile(Shaders *shaders)
 
 bool gl_reload(Shaders *shaders)
 {
-    char message[MESSAGE_BYTES];
+    char message[SHADER_MESSAGE_BYTES];
     for (Program *program = shaders->programs; program != NULL;
          program = program->next) {
         GLuint id = program->id == 0 ? 0 : build(program, message);

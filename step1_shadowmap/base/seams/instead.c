@@ -1,7 +1,8 @@
 // Files that stand in place of others, in every list that names them.
 #include <string.h> // strcmp, strcpy, strlen
 
-#include "step1_shadowmap/base/gl/gl.h"      // gl_stage_of, Shaders
+#include "step1_shadowmap/base/gl/gl.h"          // Shaders
+#include "step1_shadowmap/base/gl/shader_file.h" // shader_stage
 #include "step1_shadowmap/base/system/die.h" // die
 
 void gl_put_instead(Shaders *shaders, const char *file,
@@ -31,7 +32,7 @@ void gl_put_in_front(Shaders *shaders, const char *definitions)
 // Whether the running stage has the file already.
 static bool has_file(const char *const files[], int count, const char *name)
 {
-    while (count > 0 && gl_stage_of(files[count - 1]) == 0) {
+    while (count > 0 && shader_stage(files[count - 1]) == 0) {
         if (strcmp(files[--count], name) == 0) {
             return true;
         }
