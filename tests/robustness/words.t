@@ -122,13 +122,14 @@ my @steps  = ( '', qw(6 0 abc 03 -1 % 1.0), '1 2', '3 ', "3\n", @attacks );
 my @deps   = ( '', qw(maybe YES),           'no yes', 'no ', @attacks );
 my @builds = ( '', 'x y', "x'y", 'x ', 'x:y', @attacks );
 my @refused = (
-    ( map { [ $_, 'STEP=6' ] } qw(standalone exercise grade shader window diff all) ),
+    ( map { [ $_, 'STEP=6' ] }
+          qw(standalone lesson exercise grade shader window diff all) ),
     [ 'diff', 'STEP=1' ],
     ( map { [ 'test', "STEP=$_" ] } @steps ),
     ( map { [ 'test', "DEPS=$_" ] } @deps ),
     ( map { [ 'test', "BUILD=$_" ] } @builds ),
-    ( map { [ $_, 'DIR=' ] } qw(standalone exercise grade) ),
-    ( map { [$_] } qw(standalone exercise grade) ),
+    ( map { [ $_, 'DIR=' ] } qw(standalone lesson exercise grade) ),
+    ( map { [$_] } qw(standalone lesson exercise grade) ),
 );
 for my $words (@refused) {
     my ( $goal, $word ) = @$words;
