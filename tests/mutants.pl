@@ -216,7 +216,7 @@ my %mutants = (
         '{GL_NEAREST', '{GL_LINEAR'
     ],
     'a copy without shaders takes those of the tree around it' => [
-        'robustness/moved', 'step1_shadowmap/base/files/tree.c',
+        'robustness/moved', 'step1_shadowmap/base/files/file.c',
         '"%s/step1_shadowmap"', '"%s/step1_shadowmap/shaders"'
     ],
     'a link to no shader is not there' => [
@@ -351,11 +351,11 @@ my %mutants = (
         '(unsigned char)*name >= 128', '(unsigned char)*name > 255'
     ],
     'a PNG upside down' => [
-        'files', 'step1_shadowmap/base/files/image_png.c',
+        'files', 'step1_shadowmap/base/files/image.c',
         '-width * channels', 'width * channels'
     ],
     'a PNG of linear values' => [
-        'files', 'step1_shadowmap/base/files/image_png.c',
+        'files', 'step1_shadowmap/base/files/image.c',
         '(255 * encoded', '(255 * value'
     ],
     'an EXR upside down' => [
@@ -905,7 +905,7 @@ my %mutants = (
         ' || strlen(text) != length', ''
     ],
     'shaders where nobody looks for them' => [
-        'robustness/bad_input', 'step1_shadowmap/base/files/tree.c',
+        'robustness/bad_input', 'step1_shadowmap/base/files/file.c',
         'strncmp(entry->d_name, "step", 4) == 0', 'entry->d_name[0] != 0'
     ],
     'a bias may push receivers behind what is left out' => [

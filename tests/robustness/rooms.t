@@ -57,7 +57,7 @@ is( "@told", '', 'no stage has a name of leave_out' );
 
 # Counted, compiled again and dumped whole in one place each.
 for (
-    [ 'touch'         => qr/\btouch\(/,         'gl/target.c' ],
+    [ 'touch'         => qr/\btouch\(/,         'measure/count.c' ],
     [ 'reload'        => qr/\bgl_reload\(/,     'run/run.c' ],
     [ 'whole maps'    => qr/leave_out_nothing\(/, 'run/run.c' ],
   )

@@ -21,6 +21,16 @@ void file_make_directory(const char *path);
 
 bool file_is_directory(const char *path);
 
+// A program reads its shaders from the tree that it is in, so that a copy of
+// the tree reads its own.
+
+// The innermost folder around the program's file that holds step1_shadowmap/;
+// false where there is none.
+bool tree_find(char folder[FILE_NAME_BYTES]);
+
+// Whether a folder is laid out as the tree: it holds a step's folder.
+bool tree_is_like(const char *folder);
+
 #ifdef __cplusplus
 }
 #endif

@@ -16,10 +16,6 @@ typedef struct ImageBytes {
     char reason[256]; // why it failed
 } ImageBytes;
 
-// 1 or 3 channels.
-ImageBytes image_encode_png(const float *pixels, int width, int height,
-                            int channels);
-
 // 1 to 4 channels.
 ImageBytes image_encode_exr(const float *pixels, int width, int height,
                             int channels);

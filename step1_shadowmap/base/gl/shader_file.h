@@ -5,7 +5,7 @@
 #include <glad/gl.h>
 #include <stdbool.h>
 
-#include "step1_shadowmap/base/files/tree.h" // FILE_NAME_BYTES
+#include "step1_shadowmap/base/files/file.h" // FILE_NAME_BYTES
 
 enum {
     SHADER_PATH_BYTES = 2 * FILE_NAME_BYTES,

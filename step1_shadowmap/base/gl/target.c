@@ -4,20 +4,6 @@
 
 #include "step1_shadowmap/base/system/die.h" // die
 
-size_t target_texel_bytes(const Target *target)
-{
-    size_t bytes = 0;
-    for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
-        bytes += gl_texel_bytes(target->formats[i]);
-    }
-    return bytes;
-}
-
-static size_t samples_of(const Target *target)
-{
-    return target->kind == TARGET_SAMPLES ? (size_t)target->samples : 1;
-}
-
 void target_want_all(Target *target)
 {
     for (int layer = 0; layer < target->layers; layer++) {
@@ -77,14 +63,11 @@ static void make_layers(Target *target)
             gl_add_level(target->formats[0], level, width, height,
                          target->layers);
         }
-        target->bytes += gl_texel_bytes(target->formats[0]) * (size_t)width *
-                         (size_t)height * (size_t)target->layers;
     }
 }
 
 static void make_textures(Target *target)
 {
-    size_t texels = (size_t)target->width * (size_t)target->height;
     if (target->shares != NULL) {
         target->textures[0] = target_texture(target->shares);
         return;
@@ -94,8 +77,6 @@ static void make_textures(Target *target)
     } else if (target->kind == TARGET_SAMPLES) {
         target->textures[0] = gl_texture_samples(
             target->formats[0], target->width, target->height, target->samples);
-        target->bytes =
-            texels * samples_of(target) * gl_texel_bytes(target->formats[0]);
     } else {
         gl_check_size("size", target->width, target->height);
         for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
@@ -108,8 +89,6 @@ static void make_textures(Target *target)
     if (target->depth) {
         target->depth_buffer =
             gl_depth_buffer(target->width, target->height, target->samples);
-        target->bytes +=
-            texels * samples_of(target) * gl_texel_bytes(GL_DEPTH_COMPONENT32F);
     }
 }
 
@@ -155,25 +134,9 @@ GLuint target_texture(Target *target)
     return target->textures[0];
 }
 
-// Of each texel: those that are written, and those that are read for it.
-static size_t touched_bytes(const Target *target)
+__attribute__((weak)) void target_touch(Target *target, const Rect *wanted)
 {
-    size_t bytes = target_texel_bytes(target) + target->read_bytes;
-    if (target->depth) {
-        bytes += gl_texel_bytes(GL_DEPTH_COMPONENT32F);
-    }
-    if (target->reads != NULL) {
-        bytes += (size_t)(target->scale * target->scale) *
-                 samples_of(target->reads) * target_texel_bytes(target->reads);
-    }
-    return bytes;
-}
-
-// Adds a draw of so many texels: bytes written and read for each of them.
-static void touch(Touched *touched, size_t texels, size_t bytes_for_each)
-{
-    touched->texels += texels;
-    touched->bytes += texels * bytes_for_each;
+    (void)target, (void)wanted;
 }
 
 const Rect *target_wanted(Target *target, int layer)
@@ -183,8 +146,7 @@ const Rect *target_wanted(Target *target, int layer)
         return NULL;
     }
     target_texture(target);
-    touch(&target->touched, samples_of(target) * rect_texels(wanted),
-          touched_bytes(target));
+    target_touch(target, wanted);
     return wanted;
 }
 
@@ -214,28 +176,6 @@ bool target_begin(Target *target, int layer)
     glViewport(0, 0, target->width, target->height);
     gl_limit(wanted);
     return true;
-}
-
-Touched targets_touched(Targets *targets)
-{
-    Touched all = {0, 0};
-    for (int i = 0; i < targets->count; i++) {
-        all.texels += targets->list[i]->touched.texels;
-        all.bytes += targets->list[i]->touched.bytes;
-        targets->list[i]->touched = (Touched){0, 0};
-    }
-    return all;
-}
-
-size_t targets_map_bytes(const Targets *targets)
-{
-    size_t bytes = 0;
-    for (int i = 0; i < targets->count; i++) {
-        if (targets->list[i]->kind != TARGET_PICTURE) {
-            bytes += targets->list[i]->bytes;
-        }
-    }
-    return bytes;
 }
 
 void targets_destroy(Targets *targets)

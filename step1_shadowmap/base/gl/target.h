@@ -68,7 +68,6 @@ struct Target {
     GLuint textures[TARGET_MAX_OUTPUTS];
     GLuint depth_buffer;
     GLuint framebuffers[TARGET_MAX_LAYERS];
-    size_t bytes;    // of these, if it does not share them
     Touched touched; // since targets_touched
 };
 
@@ -122,6 +121,9 @@ Touched targets_touched(Targets *targets);
 
 // Bytes of all textures that were made for the light's passes.
 size_t targets_map_bytes(const Targets *targets);
+
+// base/measure counts a draw of these texels.
+void target_touch(Target *target, const Rect *wanted);
 
 void targets_destroy(Targets *targets);
 

@@ -4,8 +4,7 @@
 
 #include "step1_shadowmap/base/scene/dvec.h"       // dvec_cross, dvec_dot
 #include "step1_shadowmap/base/leave_out/facing.h" // Facing
-#include "step1_shadowmap/base/light/polygon.h"    // POLYGON_MAX_CORNERS
-#include "step1_shadowmap/base/light/region.h" // object_box, vertex_relative
+#include "step1_shadowmap/base/light/region.h"     // POLYGON_MAX_CORNERS
 #include "step1_shadowmap/base/leave_out/volume.h" // volume_of_receivers
 
 enum {

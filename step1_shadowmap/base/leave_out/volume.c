@@ -2,8 +2,8 @@
 
 #include <math.h> // fabs, sqrt
 
-#include "step1_shadowmap/base/scene/dvec.h"    // dvec_dot
-#include "step1_shadowmap/base/light/polygon.h" // polygon_clip
+#include "step1_shadowmap/base/scene/dvec.h"   // dvec_dot
+#include "step1_shadowmap/base/light/region.h" // polygon_clip
 
 // By how much more than the whole map receivers are looked for, of the whole:
 // far more than single precision errs.

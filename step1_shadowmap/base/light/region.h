@@ -31,4 +31,12 @@ void object_box(const Object *object, const double origin[3],
 void frame_coordinates(double axes[3][3], const double position[3],
                        double result[3]);
 
+// A triangle gains at most a corner from each half-space that cuts it.
+enum { POLYGON_MAX_CORNERS = 20 };
+
+// Keeps what is in the half-space dot(normal, p) <= limit (Sutherland and
+// Hodgman). Returns the new number of corners, 0 if nothing is left.
+int polygon_clip(double polygon[][3], int count, const double normal[3],
+                 double limit);
+
 #endif

@@ -6,7 +6,6 @@
 
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step1_shadowmap/base/files/file.h" // file_is_directory, file_make_directory
-#include "step1_shadowmap/base/files/tree.h"  // tree_is_like
 #include "step1_shadowmap/base/files/image.h" // image_name_is_known
 #include "step1_shadowmap/base/scene/scene.h" // scene_create, scene_list
 

@@ -1,5 +1,5 @@
 // The scenes of the lesson alone.
-#include "step1_shadowmap/base/scene/scene_table.h"
+#include "step1_shadowmap/base/scene/scene_build.h"
 
 __attribute__((weak)) const SceneEntry more_scenes[] = {{.name = NULL}};
 

@@ -6,7 +6,7 @@
 
 #include "step1_shadowmap/base/system/die.h"        // die_usage
 #include "step1_shadowmap/base/scene/dvec.h"        // dvec_normalize, RADIANS
-#include "step1_shadowmap/base/scene/scene_table.h" // scene_table
+#include "step1_shadowmap/base/scene/scene_build.h" // scene_table
 
 enum { COMMON_KEYS = 3 };
 

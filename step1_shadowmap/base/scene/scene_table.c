@@ -1,7 +1,5 @@
 // The scenes that the lesson is told with.
-#include "step1_shadowmap/base/scene/scene_table.h"
-
-#include "step1_shadowmap/base/scene/scene_build.h" // scene_add_object, ...
+#include "step1_shadowmap/base/scene/scene_build.h"
 
 // A gate of thin bars: what aliases first in a shadow map.
 static void add_gate(Scene *scene, const Mesh *box)
@@ -36,35 +34,6 @@ void scene_build_teapot(Scene *scene, const double values[])
     object_set_albedo(scene_add_object(scene, "wall", box, wall, behind), 0.52f,
                       0.56f, 0.60f);
     add_gate(scene, box);
-}
-
-// The floor at depth 0.9 of a range of 10 units, the occluder `gap` of the
-// range above it. The light is along no axis of the world, and the occluder's
-// sides along no axis of the map.
-enum { EDGE_GAP };
-static void build_edge(Scene *scene, const double values[])
-{
-    const double range = 10;
-    const double eye[3] = {5.0, 5.5, 4.5};
-    const double target[3] = {0.1, 0.5, 0.1};
-    scene_set_camera(scene, eye, target, 24);
-    scene_set_light(scene, -0.35, -0.9, -0.25);
-    for (int k = 0; k < 3; k++) {
-        scene->light.anchor[k] = -0.9 * range * scene->light.direction[k];
-    }
-    scene->light.far = range;
-    const Mesh *plane = scene_add_mesh(scene, mesh_plane());
-    const double centre[2] = {0, 0};
-    const double large[2] = {40, 40};
-    Object *ground = scene_add_facing_plane(scene, "floor", plane, 0.9 * range,
-                                            centre, large, 0);
-    object_set_albedo(ground, 0.62f, 0.60f, 0.57f);
-    ground->casts = false;
-    const double size[2] = {2, 1.5};
-    Object *occluder = scene_add_facing_plane(scene, "occluder", plane,
-                                              (0.9 - values[EDGE_GAP]) * range,
-                                              centre, size, 0.35);
-    object_set_albedo(occluder, 0.25f, 0.42f, 0.62f);
 }
 
 // Two occluders over a floor, all perpendicular to the light; the upper one
@@ -106,10 +75,6 @@ const SceneEntry scene_table[] = {
      "a teapot on a floor, with a wall and thin bars",
      scene_build_teapot,
      {{0}}},
-    {"edge",
-     "a rectangle above a floor, both perpendicular to the light",
-     build_edge,
-     {{"gap", 1e-7, 0.8, 0.1, "between them, of the depth range"}}},
     {"bleed",
      "two occluders above a floor: light bleeding",
      build_bleed,

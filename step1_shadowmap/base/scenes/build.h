@@ -31,6 +31,7 @@ void scene_build_avenue(Scene *scene, const double values[]);
 void scene_build_crowd(Scene *scene, const double values[]);
 
 // closed.c
+void scene_build_edge(Scene *scene, const double values[]);
 void scene_build_empty(Scene *scene, const double values[]);
 void scene_build_grazing(Scene *scene, const double values[]);
 void scene_build_unlit(Scene *scene, const double values[]);

@@ -5,6 +5,36 @@
 
 #include "step1_shadowmap/base/scene/dvec.h" // RADIANS
 
+// The floor at depth 0.9 of a range of 10 units, the occluder `gap` of the
+// range above it. The light is along no axis of the world, and the occluder's
+// sides along no axis of the map.
+enum { EDGE_GAP };
+
+void scene_build_edge(Scene *scene, const double values[])
+{
+    const double range = 10;
+    const double eye[3] = {5.0, 5.5, 4.5};
+    const double target[3] = {0.1, 0.5, 0.1};
+    scene_set_camera(scene, eye, target, 24);
+    scene_set_light(scene, -0.35, -0.9, -0.25);
+    for (int k = 0; k < 3; k++) {
+        scene->light.anchor[k] = -0.9 * range * scene->light.direction[k];
+    }
+    scene->light.far = range;
+    const Mesh *plane = scene_add_mesh(scene, mesh_plane());
+    const double centre[2] = {0, 0};
+    const double large[2] = {40, 40};
+    Object *ground = scene_add_facing_plane(scene, "floor", plane, 0.9 * range,
+                                            centre, large, 0);
+    object_set_albedo(ground, 0.62f, 0.60f, 0.57f);
+    ground->casts = false;
+    const double size[2] = {2, 1.5};
+    Object *occluder = scene_add_facing_plane(scene, "occluder", plane,
+                                              (0.9 - values[EDGE_GAP]) * range,
+                                              centre, size, 0.35);
+    object_set_albedo(occluder, 0.25f, 0.42f, 0.62f);
+}
+
 void scene_build_empty(Scene *scene, const double values[])
 {
     (void)values;

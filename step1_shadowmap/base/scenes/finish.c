@@ -2,7 +2,7 @@
 #include <math.h> // fmax, fmin, isfinite, INFINITY
 
 #include "step1_shadowmap/base/scene/dvec.h"        // dvec_dot, dvec_subtract
-#include "step1_shadowmap/base/scene/scene_table.h" // scene_finish
+#include "step1_shadowmap/base/scene/scene_build.h" // scene_finish
 #include "step1_shadowmap/base/system/die.h"        // die
 
 static double distance_between(const double a[3], const double b[3])

@@ -2,7 +2,7 @@
 #include <string.h> // strcmp
 
 #include "step1_shadowmap/base/scene/dvec.h"        // dvec_copy, dvec_subtract
-#include "step1_shadowmap/base/scene/scene_table.h" // scene_change_light
+#include "step1_shadowmap/base/scene/scene_build.h" // scene_change_light
 #include "step1_shadowmap/base/scenes/build.h"      // scene_set_local_light
 #include "step1_shadowmap/base/system/die.h"        // die_usage
 

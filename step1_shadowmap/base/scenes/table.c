@@ -1,8 +1,12 @@
 // The scenes that no lesson needs.
-#include "step1_shadowmap/base/scene/scene_table.h" // SceneEntry
+#include "step1_shadowmap/base/scene/scene_build.h" // SceneEntry
 #include "step1_shadowmap/base/scenes/build.h"      // scene_build_empty, ...
 
 const SceneEntry more_scenes[] = {
+    {"edge",
+     "a rectangle above a floor, both perpendicular to the light",
+     scene_build_edge,
+     {{"gap", 1e-7, 0.8, 0.1, "between them, of the depth range"}}},
     {"empty", "a floor and nothing that casts", scene_build_empty, {{0}}},
     {"thin",
      "a wall thinner than a texel, and a block on a floor",

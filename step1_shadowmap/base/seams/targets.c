@@ -32,3 +32,12 @@ void target_take_place(Target *target, Target *other)
     target->looked_up = looked_up;
     target_want_all(target);
 }
+
+size_t target_texel_bytes(const Target *target)
+{
+    size_t bytes = 0;
+    for (int i = 0; i < TARGET_MAX_OUTPUTS; i++) {
+        bytes += gl_texel_bytes(target->formats[i]);
+    }
+    return bytes;
+}

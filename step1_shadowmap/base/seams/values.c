@@ -2,6 +2,18 @@
 
 #include "step1_shadowmap/base/system/options.h" // options_value
 
+void *options_value(const OptionTable tables[], const char *name)
+{
+    for (const OptionTable *table = tables; table->options; table++) {
+        for (const Option *option = table->options; option->name; option++) {
+            if (strcmp(option->name, name) == 0) {
+                return (char *)table->settings + option->offset;
+            }
+        }
+    }
+    return NULL;
+}
+
 bool options_on(const OptionTable tables[], const char *flag)
 {
     const bool *value = options_value(tables, flag);

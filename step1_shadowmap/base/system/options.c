@@ -274,31 +274,14 @@ void options_parse(int argc, char **argv, OptionTable tables[])
     }
 }
 
-// The table that has an option, and where; NULL: none has.
-static const OptionTable *table_of(const OptionTable tables[], const char *name,
-                                   int *index)
+bool options_given(const OptionTable tables[], const char *name)
 {
     for (const OptionTable *table = tables; table->options; table++) {
         for (int i = 0; table->options[i].name; i++) {
             if (strcmp(table->options[i].name, name) == 0) {
-                *index = i;
-                return table;
+                return table->given[i];
             }
         }
     }
-    return NULL;
-}
-
-bool options_given(const OptionTable tables[], const char *name)
-{
-    int index = 0;
-    const OptionTable *table = table_of(tables, name, &index);
-    return table != NULL && table->given[index];
-}
-
-void *options_value(const OptionTable tables[], const char *name)
-{
-    int index = 0;
-    const OptionTable *table = table_of(tables, name, &index);
-    return table == NULL ? NULL : value_of(table, &table->options[index]);
+    return false;
 }
