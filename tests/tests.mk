@@ -39,7 +39,7 @@ ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
     $(addprefix scene/,scene scene_table scene_build mesh) \
-    $(addprefix scenes/,table daylight closed lamps extreme meshes lights finish) \
+    $(addprefix scenes/,table daylight closed lamps extreme meshes lights change) \
     system/die)
 ORACLE_BOUNDS := $(patsubst %,$(BUILD)/obj/tests/stability/%.c.o,\
     bound formulas search windows)

@@ -3,7 +3,6 @@
 #include <math.h> // fmin, sqrt, INFINITY
 
 #include "step1_shadowmap/base/leave_out/volume.h" // volume_of_texels
-#include "step1_shadowmap/base/light/region.h"     // object_box
 #include "step1_shadowmap/base/scene/dvec.h"       // dvec_dot, dvec_subtract
 
 // What is outside by nothing at all is half a pixel from the next pixel's

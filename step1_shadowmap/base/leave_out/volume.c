@@ -163,3 +163,34 @@ double view_light_steepest(const Views *views, int layer)
     const double *row = views->light[layer].depth_from_relative;
     return sqrt(dvec_dot(row, row)) + views->depth_per_distance;
 }
+
+void object_box(const Object *object, const double origin[3],
+                double corners[8][3])
+{
+    const Mesh *mesh = object->mesh;
+    const float *bounds[2] = {mesh->low, mesh->high};
+    for (int corner = 0; corner < 8; corner++) {
+        for (int row = 0; row < 3; row++) {
+            const double *m = object->transform[row];
+            corners[corner][row] = m[3] - origin[row];
+            for (int k = 0; k < 3; k++) {
+                corners[corner][row] +=
+                    m[k] * (double)bounds[corner >> k & 1][k];
+            }
+        }
+    }
+}
+
+bool object_box_is(const Object *object, const double origin[3],
+                   double axes[3][3], bool holds(const void *, const double[3]),
+                   const void *range)
+{
+    double corners[8][3], point[3];
+    bool all = true;
+    object_box(object, origin, corners);
+    for (int i = 0; i < 8 && all; i++) {
+        frame_coordinates(axes, corners[i], point);
+        all = holds(range, point);
+    }
+    return all;
+}

@@ -42,4 +42,8 @@ double view_light_depth(const Views *views, int layer,
 // By how much t changes along a way in space, at most; per world unit.
 double view_light_steepest(const Views *views, int layer);
 
+// The corners of the box around an object, in world axes, minus the origin.
+void object_box(const Object *object, const double origin[3],
+                double corners[8][3]);
+
 #endif

@@ -13,26 +13,13 @@ static void include_point(LightFrame *frame, const double point[3])
     }
 }
 
-static bool holds_point(const LightFrame *frame, const double point[3])
+static bool holds_point(const void *range, const double point[3])
 {
+    const LightFrame *frame = range;
     bool inside = true;
     for (int axis = 0; axis < 3; axis++) {
         inside = inside && point[axis] >= frame->low[axis] &&
                  point[axis] <= frame->high[axis];
-    }
-    return inside;
-}
-
-// Of a mesh with many vertices its box may tell that it adds nothing.
-static bool holds_object(LightFrame *frame, const Object *object,
-                         const double origin[3])
-{
-    double corners[8][3], point[3];
-    bool inside = true;
-    object_box(object, origin, corners);
-    for (int i = 0; i < 8; i++) {
-        frame_coordinates(frame->axes, corners[i], point);
-        inside = inside && holds_point(frame, point);
     }
     return inside;
 }
@@ -64,7 +51,8 @@ void bound_casters(LightFrame *frame, const Scene *scene,
     }
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
-        if ((object->casts || !any) && !holds_object(frame, object, origin)) {
+        if ((object->casts || !any) &&
+            !object_box_is(object, origin, axes, holds_point, frame)) {
             include_object(frame, object, origin);
         }
     }

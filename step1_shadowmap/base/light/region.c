@@ -42,21 +42,12 @@ void vertex_relative(const Object *object, const double origin[3],
     }
 }
 
-void object_box(const Object *object, const double origin[3],
-                double corners[8][3])
+__attribute__((weak)) bool
+object_box_is(const Object *object, const double origin[3], double axes[3][3],
+              bool holds(const void *, const double[3]), const void *range)
 {
-    const Mesh *mesh = object->mesh;
-    const float *bounds[2] = {mesh->low, mesh->high};
-    for (int corner = 0; corner < 8; corner++) {
-        for (int row = 0; row < 3; row++) {
-            const double *m = object->transform[row];
-            corners[corner][row] = m[3] - origin[row];
-            for (int k = 0; k < 3; k++) {
-                corners[corner][row] +=
-                    m[k] * (double)bounds[corner >> k & 1][k];
-            }
-        }
-    }
+    (void)object, (void)origin, (void)axes, (void)holds, (void)range;
+    return false;
 }
 
 void frame_coordinates(double axes[3][3], const double position[3],
@@ -68,23 +59,11 @@ void frame_coordinates(double axes[3][3], const double position[3],
 }
 
 // Whether the range holds a point already, inside of the planes or not.
-static bool is_held(const Region *region, const double point[3])
+static bool is_held(const void *held, const double point[3])
 {
+    const Region *region = held;
     return point[2] >= region->low && point[2] <= region->high &&
            dvec_dot(point, point) <= region->farthest * region->farthest;
-}
-
-// And with it all that is in a box.
-static bool holds_box(const Region *region, double axes[3][3],
-                      double corners[8][3])
-{
-    bool all = true;
-    for (int i = 0; i < 8 && all; i++) {
-        double point[3];
-        frame_coordinates(axes, corners[i], point);
-        all = is_held(region, point);
-    }
-    return all;
 }
 
 // Widens the region's range to the part of one triangle that is inside, in the
@@ -124,9 +103,7 @@ void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
     region->farthest = 0;
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
-        double corners[8][3];
-        object_box(object, origin, corners);
-        if (holds_box(region, axes, corners)) {
+        if (object_box_is(object, origin, axes, is_held, region)) {
             continue;
         }
         for (size_t k = 0; k < object->mesh->index_count; k += 3) {

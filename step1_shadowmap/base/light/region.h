@@ -2,6 +2,8 @@
 #ifndef BASE_REGION_H
 #define BASE_REGION_H
 
+#include <stdbool.h>
+
 #include "step1_shadowmap/base/scene/scene.h" // Object, Scene
 
 // Four half-spaces dot(normal, p) <= limit, and what is in them: the range
@@ -23,9 +25,12 @@ void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
 void vertex_relative(const Object *object, const double origin[3],
                      size_t vertex, double position[3]);
 
-// The corners of the box around an object, in world axes, minus the origin.
-void object_box(const Object *object, const double origin[3],
-                double corners[8][3]);
+// Whether a range holds all of the box around an object, so that none of its
+// vertices has to be looked at: `holds` says it of a point along the axes.
+// base/leave_out knows; without it, false.
+bool object_box_is(const Object *object, const double origin[3],
+                   double axes[3][3], bool holds(const void *, const double[3]),
+                   const void *range);
 
 // A position's coordinates along three axes.
 void frame_coordinates(double axes[3][3], const double position[3],

@@ -3,13 +3,10 @@
 
 __attribute__((weak)) const SceneEntry more_scenes[] = {{.name = NULL}};
 
-__attribute__((weak)) void scene_change_light(Scene *scene, bool raised,
-                                              const char *kind)
-{
-    (void)scene, (void)raised, (void)kind;
-}
+__attribute__((weak)) const SceneKey more_keys[SCENE_MAX_KEYS] = {{0}};
 
-__attribute__((weak)) void scene_finish(Scene *scene)
+__attribute__((weak)) void scene_change(Scene *scene, const double values[],
+                                        const char *kind)
 {
-    (void)scene;
+    (void)scene, (void)values, (void)kind;
 }

@@ -57,14 +57,10 @@ typedef struct SceneEntry {
 // The lesson's, and those of base/scenes.
 extern const SceneEntry scene_table[], more_scenes[];
 
-// What those need besides; no_more_scenes.c does without.
-
-// Once a light has been raised, or has to be of another kind (NULL: its own):
-// a spot or point light shines on what the camera looks at from where it is.
-void scene_change_light(Scene *scene, bool raised, const char *kind);
-
-// When all is in its place: dies if a vertex is no number, which would spread
-// over all that is fitted to it; says how far shadows reach.
-void scene_finish(Scene *scene);
+// base/scenes has these; no_more_scenes.c does without: the keys of every
+// scene, and what they and another kind of light (NULL: its own) change of a
+// scene.
+extern const SceneKey more_keys[SCENE_MAX_KEYS];
+void scene_change(Scene *scene, const double values[], const char *kind);
 
 #endif

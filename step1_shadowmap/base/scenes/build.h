@@ -18,6 +18,10 @@ Mesh mesh_sphere(int segments);
 Object *scene_add_block(Scene *scene, const char *name, const Mesh *box,
                         const double size[3], const double foot[3]);
 
+// Once a light has been raised, or has to be of another kind (NULL: its own):
+// a spot or point light shines on what the camera looks at from where it is.
+void scene_change_light(Scene *scene, bool raised, const char *kind);
+
 // A spot or point light that is aimed at a target; its radiance holds at the
 // distance `reference` from it.
 void scene_set_local_light(Scene *scene, LightKind kind,

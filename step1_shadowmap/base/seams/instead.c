@@ -3,7 +3,7 @@
 
 #include "step1_shadowmap/base/gl/gl.h"          // Shaders
 #include "step1_shadowmap/base/gl/shader_file.h" // shader_stage
-#include "step1_shadowmap/base/system/die.h" // die
+#include "step1_shadowmap/base/system/die.h"     // die
 
 void gl_put_instead(Shaders *shaders, const char *file,
                     const char *const files[])
