@@ -1,5 +1,5 @@
 // The techniques of step 1.
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 
 extern const Technique map_footprint, map_lights, map_splits;
 

@@ -38,17 +38,6 @@ typedef struct Shaders {
     char front[SHADERS_FRONT_BYTES];
 } Shaders;
 
-// From here on other files (NULL at the end, static) stand in place of one, in
-// every list that names it: so a technique takes the place of a lesson's
-// shader. They may name that file too, and others in whose place some stand. If
-// something stands in its place already, that stays.
-void gl_put_instead(Shaders *shaders, const char *file,
-                    const char *const files[]);
-
-// From here on these definitions in GLSL stand in front of every program that
-// is made: what a technique knows only at run time.
-void gl_put_in_front(Shaders *shaders, const char *definitions);
-
 // The files that a list of names stands for, NULL at the end, at most
 // PROGRAM_MAX_FILES. What a stage has already comes no second time.
 void gl_find_files(const Shaders *shaders, const char *const names[],

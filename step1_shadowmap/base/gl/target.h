@@ -85,21 +85,11 @@ void target_add(Targets *targets, Target *target);
 void target_insert(Targets *targets, int place, Target *target);
 void target_want_all(Target *target);
 
-// The same, before one that is there: where a technique has passes between.
-void target_add_before(Targets *targets, Target *target, const Target *before);
-
-// The target of a pass that has this name; NULL: there is none.
-Target *targets_find(const Targets *targets, const char *pass);
-
 // A map that a pass makes of each `factor` x `factor` texels of another one.
 Target target_reading(Target *source, const char *pass, int factor);
 
 // What another target is: the same texture, which no pass draws again.
 Target target_alias(Target *of);
-
-// Whatever reads a target of the list reads another one of its size instead, of
-// which it becomes an alias. Its own pass draws nothing any more.
-void target_take_place(Target *target, Target *other);
 
 // The texels that the pass is to draw of a layer in this frame; NULL: nobody
 // wants any of them. For a pass that draws into no framebuffer.

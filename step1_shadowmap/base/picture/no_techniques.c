@@ -1,5 +1,5 @@
 // A lesson that was copied alone: no techniques take part.
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/picture/picture.h"
 
 #define UNLESS_LINKED __attribute__((weak))
 

@@ -3,10 +3,9 @@
 #include <stdlib.h> // free
 #include <string.h> // memcpy, strcmp
 
-#include "step1_shadowmap/base/files/image.h"       // image_write
-#include "step1_shadowmap/base/picture/dump.h"      // dump_image
-#include "step1_shadowmap/base/picture/technique.h" // techniques_create, ...
-#include "step1_shadowmap/base/system/die.h"        // die
+#include "step1_shadowmap/base/files/image.h"  // image_write
+#include "step1_shadowmap/base/picture/dump.h" // dump_image
+#include "step1_shadowmap/base/system/die.h"   // die
 
 enum { MAX_FILES = PROGRAM_MAX_FILES };
 

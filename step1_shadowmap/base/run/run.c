@@ -4,10 +4,9 @@
 #include <stdio.h>  // stdout, vsnprintf
 #include <stdlib.h> // exit
 
-#include "step1_shadowmap/base/picture/dump.h"      // dump_target
-#include "step1_shadowmap/base/picture/technique.h" // techniques_check, ...
-#include "step1_shadowmap/base/run/extras.h" // leave_out_look, bench_next
-#include "step1_shadowmap/base/system/die.h" // printed_check
+#include "step1_shadowmap/base/picture/dump.h" // dump_target
+#include "step1_shadowmap/base/run/extras.h"   // leave_out_look, bench_next
+#include "step1_shadowmap/base/system/die.h"   // printed_check
 
 void run_options(Run *run, int argc, char **argv, int step, const char *program,
                  const ShowMode *more_shows, const OptionTable tables[])

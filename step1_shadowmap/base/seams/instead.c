@@ -1,9 +1,9 @@
 // Files that stand in place of others, in every list that names them.
 #include <string.h> // strcmp, strcpy, strlen
 
-#include "step1_shadowmap/base/gl/gl.h"          // Shaders
-#include "step1_shadowmap/base/gl/shader_file.h" // shader_stage
-#include "step1_shadowmap/base/system/die.h"     // die
+#include "step1_shadowmap/base/seams/technique.h" // gl_put_instead
+#include "step1_shadowmap/base/gl/shader_file.h"  // shader_stage
+#include "step1_shadowmap/base/system/die.h"      // die
 
 void gl_put_instead(Shaders *shaders, const char *file,
                     const char *const files[])

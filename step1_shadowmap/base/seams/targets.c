@@ -1,7 +1,7 @@
 // How a technique takes part among the targets.
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/gl/target.h" // target_insert
+#include "step1_shadowmap/base/seams/technique.h" // target_add_before
 
 void target_add_before(Targets *targets, Target *target, const Target *before)
 {

@@ -1,4 +1,4 @@
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 
 #include "step1_shadowmap/base/system/die.h" // die
 

@@ -1,6 +1,6 @@
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/system/options.h" // options_value
+#include "step1_shadowmap/base/seams/technique.h" // options_value
 
 void *options_value(const OptionTable tables[], const char *name)
 {

@@ -51,15 +51,6 @@ void options_parse(int argc, char **argv, OptionTable tables[]);
 // Whether the command line named this option.
 bool options_given(const OptionTable tables[], const char *name);
 
-// The value of an option, where the command line put it or as the settings had
-// it. NULL: this program has no such option.
-void *options_value(const OptionTable tables[], const char *name);
-
-// Whether this program has a flag that is set, or a choice that is this one.
-bool options_on(const OptionTable tables[], const char *flag);
-bool options_is(const OptionTable tables[], const char *name,
-                const char *choice);
-
 // An option's value, of which texts are written by `write_text`.
 void options_write_value(FILE *file, const OptionTable *table,
                          const Option *option,

@@ -3,7 +3,7 @@
 
 #include "step1_shadowmap/base/light/light_view.h" // fit_directional
 #include "step1_shadowmap/base/light/region.h"     // region_include_scene
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_dot, dvec_frame
 
 static struct {

@@ -3,7 +3,7 @@
 #include <string.h> // strcmp
 
 #include "step1_shadowmap/base/picture/picture.h" // PICTURE_FOOTPRINT
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 
 const char map_footprint_file[] =
     "step1_shadowmap/techniques/shared/footprint.glsl";

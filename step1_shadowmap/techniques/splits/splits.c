@@ -4,7 +4,7 @@
 
 #include "step1_shadowmap/base/light/light_view.h" // bound_casters
 #include "step1_shadowmap/base/picture/picture.h"  // PICTURE_HANDOVER
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/scene/dvec.h" // dvec_dot, dvec_normalize
 #include "step1_shadowmap/base/system/die.h" // die_usage
 

@@ -1,4 +1,4 @@
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 
 static struct {
     bool asked; // each tap is a weighted mean of 2 x 2 comparisons

@@ -1,6 +1,6 @@
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step3_moments/techniques/shared/shared.h" // moments_merged
 
 static struct {

@@ -3,7 +3,7 @@
 #include <stdlib.h> // free
 
 #include "step1_shadowmap/base/picture/dump.h" // dump_image
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/system/die.h"        // allocate
 #include "step3_moments/moments.h"                  // moments_shaders
 #include "step3_moments/techniques/shared/shared.h" // moments_merged

@@ -1,7 +1,7 @@
 #include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/system/die.h"        // die_usage
 #include "step3_moments/techniques/shared/shared.h" // moments_merged
 

@@ -4,7 +4,7 @@
 #include <stdlib.h> // free
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step4_blur/blur.h"                 // blur_constants
 #include "step4_blur/techniques/kernels/running_box.h"

@@ -7,7 +7,7 @@
 
 #include "step1_shadowmap/base/picture/dump.h"    // dump_target
 #include "step1_shadowmap/base/picture/picture.h" // Picture
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step4_blur/techniques/sat/sat_compute.h"
 

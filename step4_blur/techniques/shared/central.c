@@ -1,5 +1,5 @@
 // Step 3's --moments central in the filters of step 4.
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 
 static bool prepare(Frame *frame)
 {

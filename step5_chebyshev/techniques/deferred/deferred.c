@@ -2,7 +2,7 @@
 // once, however many surfaces were drawn over it. The same picture to the last
 // bit where the driver computes both alike.
 #include "step1_shadowmap/base/picture/picture.h" // Picture
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/techniques/shared/footprint.h"
 
 static struct {

@@ -3,7 +3,7 @@
 #include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step4_blur/techniques/kernels/kernels.h" // kernels_filters
 #include "step4_blur/techniques/mips/mips.h"       // mips_count
 #include "step4_blur/techniques/sat/sat.h"         // sat_steps

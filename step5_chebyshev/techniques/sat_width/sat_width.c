@@ -1,6 +1,6 @@
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step1_shadowmap/techniques/shared/footprint.h"
 

@@ -1,6 +1,6 @@
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 
 static struct {
     const char *reduction; // linear or smooth

@@ -4,7 +4,7 @@
 #include <stdio.h>  // snprintf
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step1_shadowmap/base/system/die.h"          // die_usage
 #include "step1_shadowmap/shadow_map.h"               // bias_apply
 #include "step5_chebyshev/techniques/guard/guarded.h" // guarded_visibility

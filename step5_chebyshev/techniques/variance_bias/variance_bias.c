@@ -1,6 +1,6 @@
 #include <stdio.h> // snprintf
 
-#include "step1_shadowmap/base/picture/technique.h"
+#include "step1_shadowmap/base/seams/technique.h"
 #include "step5_chebyshev/techniques/guard/guarded.h" // guarded_visibility
 
 static struct {

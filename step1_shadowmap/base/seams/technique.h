@@ -4,9 +4,7 @@
 #ifndef BASE_TECHNIQUE_H
 #define BASE_TECHNIQUE_H
 
-#include "step1_shadowmap/base/picture/frame.h" // Frame
-
-typedef struct Picture Picture;
+#include "step1_shadowmap/base/picture/picture.h" // Frame, Picture
 
 // Functions that a technique does not need are NULL; it needs `prepare`.
 typedef struct Technique {
@@ -35,20 +33,36 @@ typedef struct Technique {
 // All that this program has, in the order of --help; NULL at the end.
 extern const Technique *const techniques[];
 
-// Joins their options to the tables from this number on.
-void techniques_join(OptionTable tables[], int count);
+// What they are made with.
 
-// Each calls these functions of all techniques in their order; `check` and
-// `prepare` from the last to the first, as later steps' choose for earlier ones
-// and put their shaders first.
-void techniques_check(Frame *frame);
-void techniques_prepare(Frame *frame);
-void techniques_create(Frame *frame, Picture *picture);
-void techniques_before(const Frame *frame);
-void techniques_after(Frame *frame);
-void techniques_look(const Frame *frame, GLuint program);
+// The value of an option, where the command line put it or as the settings had
+// it. NULL: this program has no such option.
+void *options_value(const OptionTable tables[], const char *name);
 
-// False: none shades.
-bool techniques_shade(const Frame *frame, const Picture *picture);
+// Whether this program has a flag that is set, or a choice that is this one.
+bool options_on(const OptionTable tables[], const char *flag);
+bool options_is(const OptionTable tables[], const char *name,
+                const char *choice);
+
+// From here on other files (NULL at the end, static) stand in place of one, in
+// every list that names it: so a technique takes the place of a lesson's
+// shader. They may name that file too, and others in whose place some stand. If
+// something stands in its place already, that stays.
+void gl_put_instead(Shaders *shaders, const char *file,
+                    const char *const files[]);
+
+// From here on these definitions in GLSL stand in front of every program that
+// is made: what a technique knows only at run time.
+void gl_put_in_front(Shaders *shaders, const char *definitions);
+
+// target_add before one that is there: where a technique has passes between.
+void target_add_before(Targets *targets, Target *target, const Target *before);
+
+// The target of a pass that has this name; NULL: there is none.
+Target *targets_find(const Targets *targets, const char *pass);
+
+// Whatever reads a target of the list reads another one of its size instead, of
+// which it becomes an alias. Its own pass draws nothing any more.
+void target_take_place(Target *target, Target *other);
 
 #endif
