@@ -884,13 +884,15 @@ my %mutants = (
         '1 > lookups->rounding'
     ],
     'a lookup of a map that does not reach so far' => [
-        'looked_up', 'step1_shadowmap/shaders/scene.frag',
-        "        return 1.0;\n    }\n    lookups++;",
-        "        lookups++;\n        return 1.0;\n    }\n    lookups++;"
+        'looked_up',
+        'step1_shadowmap/techniques/splits/scene_splits.frag',
+        'inside_map(receiver) ? visibility(receiver) : 1.0',
+        'mix(1.0, visibility(receiver), float(inside_map(receiver)))'
     ],
     'a lookup that was left out is shown' => [
-        'looked_up', 'step1_shadowmap/base/leave_out/shaders/unshadowed.glsl',
-        'lookups = 0;', ''
+        'looked_up',
+        'step1_shadowmap/base/leave_out/shaders/show_plan_nothing.glsl',
+        'scale_color(0.0)', 'scale_color(0.5)'
     ],
     'a shader that a window compiles when it first needs it' => [
         'robustness/window', 'step1_shadowmap/base/run/run.c',

@@ -8,8 +8,6 @@ struct Receiver {
     vec3 relative_position;
 };
 
-int lookups = 0;  // so far, for this pixel; for --show plan
-
 // Dividing by w makes a perspective of what a spot or point light sees; for a
 // parallel light it is 1.
 Receiver map_coordinates(vec3 relative_position, vec3 normal, int layer)

@@ -8,11 +8,7 @@ layout(location = 0) out vec4 color;
 // What the map does not hold is lit.
 float map_visibility(Receiver receiver)
 {
-    if (!inside_map(receiver)) {
-        return 1.0;
-    }
-    lookups++;
-    return visibility(receiver);
+    return inside_map(receiver) ? visibility(receiver) : 1.0;
 }
 
 void main()

@@ -143,6 +143,8 @@ void leave_out_look(Frame *frame)
 {
     static const char *const unshadowed[] = {
         "step1_shadowmap/base/leave_out/shaders/unshadowed.glsl", NULL};
+    static const char *const plan[] = {
+        "step1_shadowmap/base/leave_out/shaders/show_plan_nothing.glsl", NULL};
     LeaveOut *left = &state;
     const ViewsSize size = base_views_size(&frame->settings);
     uint64_t scene = stamp_scene(&frame->scene);
@@ -160,6 +162,9 @@ void leave_out_look(Frame *frame)
     look(left, frame);
     frame->looks_up = left->lookups || (has_shadows(left) && frame->changes);
     frame->visibility = frame->looks_up ? NULL : unshadowed;
+    if (!frame->looks_up) {
+        gl_put_instead(&frame->shaders, leave_out_shows[0].shader, plan);
+    }
 }
 
 static int least(int a, int b)

@@ -3,6 +3,5 @@
 
 float visibility(Receiver receiver)
 {
-    lookups = 0;
     return 1.0;
 }
