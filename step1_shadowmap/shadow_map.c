@@ -42,9 +42,6 @@ Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel)
                      .rounding = 0x1p-12};
 }
 
-// Single texels; outside is far depth, 1.
-static const Sampling depths = {GL_NEAREST, {1, 1, 1, 1}};
-
 void shadow_map_create(ShadowMap *map, Frame *frame, int reach)
 {
     static const char *const files[] = {
@@ -52,6 +49,7 @@ void shadow_map_create(ShadowMap *map, Frame *frame, int reach)
         "step1_shadowmap/shaders/light_depth.glsl",
         "step1_shadowmap/shaders/linear_depth.glsl",
         "step1_shadowmap/shaders/depth.frag", NULL};
+    static const Sampling depths = {GL_NEAREST, {1, 1, 1, 1}}; // far outside
     map->program = gl_program(&frame->shaders, NULL, files);
     map->target = frame_map(frame, "depth", GL_R32F, depths);
     map->target.file = "depth";

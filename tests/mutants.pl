@@ -282,6 +282,35 @@ my %mutants = (
         'step5_chebyshev/techniques/soft/penumbra.glsl',
         'receiver.layer)', 'receiver.layer, 0.1)'
     ],
+    'a shader that does not say all that it needs' => [
+        'robustness/needs', 'step1_shadowmap/Makefile',
+        '# What', '# What',
+        'step1_shadowmap/shaders/bias.glsl',
+        'Receiver, depth_slope', 'Receiver'
+    ],
+    'a shader that says it needs more than it does' => [
+        'robustness/needs', 'step1_shadowmap/Makefile',
+        '# What', '# What',
+        'step1_shadowmap/shaders/bias.glsl',
+        'Receiver, depth_slope', 'Receiver, footprint, depth_slope'
+    ],
+    'a shader that does not offer what it says' => [
+        'robustness/needs', 'step1_shadowmap/Makefile',
+        '# What', '# What',
+        'step1_shadowmap/shaders/bias.glsl',
+        'offers: comparison_bias', 'offers: comparison_bias, biased'
+    ],
+    'a constant that comes from elsewhere' => [
+        'robustness/needs', 'step4_blur/Makefile',
+        '# What', '# What',
+        'step4_blur/shaders/blur.frag', 'from blur.c', 'from pcf.c'
+    ],
+    'a shader without a word on what it does' => [
+        'robustness/needs', 'step4_blur/Makefile',
+        '# What', '# What',
+        'step4_blur/shaders/downsample.frag',
+        "// A smaller map: the mean of factor x factor texels. The moments of a group of\n// texels are the means of their moments.\n", ''
+    ],
     'a lesson that grew' => [
         'robustness/lesson', 'step2_pcf/Makefile',
         '# What', '# What',
@@ -583,7 +612,7 @@ my %mutants = (
     ],
     'a slope as if u were linear' => [
         'lights', 'step1_shadowmap/shaders/depth_slope.glsl',
-        '- quotient * map_axis(layer, 3)', ''
+        '- quotient * rows[3].xyz', ''
     ],
     'a distance that is not squared' => [
         'step5', 'step5_chebyshev/shaders/chebyshev.glsl',

@@ -1,5 +1,7 @@
 // How much nearer to the light a receiver is taken to be, so that a surface
 // does not shadow itself: a texel holds one depth for a whole patch of it.
+// needs: Receiver, depth_slope
+// offers: comparison_bias
 
 uniform float bias;        // of the depth range
 uniform float slope_bias;  // of the depth change across half the kernel

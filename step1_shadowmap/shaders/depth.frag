@@ -1,4 +1,6 @@
 // A shadow map: the depth of the surface nearest to the light.
+// needs: map_depth
+// offers: nearest_depth
 
 uniform int layer;
 

@@ -1,18 +1,13 @@
 // How t changes across the map on the plane of a surface.
-
-// Row i of the matrix to (u w, v w, z w, w), without the translation.
-vec3 map_axis(int layer, int i)
-{
-    mat4 m = map_from_relative[layer];
-    return vec3(m[0][i], m[1][i], m[2][i]);
-}
+// needs: map_from_relative, depth_gradient
+// offers: map_gradient, depth_slope
 
 // How u (axis 0) or v (axis 1), that is a quotient, changes with the position.
 vec3 map_gradient(vec4 map_position, int layer, int axis)
 {
+    mat4 rows = transpose(map_from_relative[layer]);
     float quotient = map_position[axis] / map_position.w;
-    return (map_axis(layer, axis) - quotient * map_axis(layer, 3)) /
-           map_position.w;
+    return (rows[axis].xyz - quotient * rows[3].xyz) / map_position.w;
 }
 
 // dt/du and dt/dv on the plane through the position, across the normal. A step

@@ -1,5 +1,7 @@
 // Step 1: one comparison. Williams, Casting curved shadows on curved surfaces,
 // SIGGRAPH 1978.
+// needs: Receiver, comparison_bias
+// offers: visibility
 
 uniform sampler2DArray shadow_map;  // red: depth in [0, 1]
 

@@ -1,5 +1,7 @@
 // Where the light is, and what a map keeps of the depth t that it and the
 // picture compare: one formula for both. linear_depth.glsl has it.
+// needs: light_depth
+// offers: towards_light, map_depth, map_from_relative, light_position
 
 uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
 uniform vec4 light_position;  // relative, 1; or towards a parallel light, 0
@@ -10,9 +12,8 @@ vec3 towards_light(vec3 relative_position)
     return light_position.xyz - light_position.w * relative_position;
 }
 
-// t of a position in a layer, and how it changes with the position.
+// t of a position in a layer.
 float light_depth(vec3 relative_position, int layer);
-vec3 depth_gradient(vec3 relative_position, int layer);
 
 // What the map keeps of it: what is before the near plane, and casts from
 // there, is at 0; what is behind the far plane is as far as nothing.

@@ -1,4 +1,6 @@
 // The scene as the light sees it, one layer of its map at a time.
+// needs: nothing
+// offers: gl_Position, relative_position
 
 uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
 uniform int layer;

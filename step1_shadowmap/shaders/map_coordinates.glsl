@@ -1,4 +1,6 @@
 // Where a point of the picture is in the shadow map, and how deep.
+// needs: map_from_relative, light_depth
+// offers: Receiver, map_coordinates, inside_map
 
 struct Receiver {
     vec2 uv;      // in [0, 1] across the map; v grows upwards

@@ -1,4 +1,7 @@
 // Shading, the same in every step: what differs is visibility().
+// needs: Receiver, inside_map, visibility, viewer_normal, map_coordinates,
+//     relative_position, towards_light, albedo, show, dump
+// offers: color
 
 uniform vec3 radiance;  // of the light, linear RGB
 uniform vec3 ambient;   // from everywhere else, linear RGB

@@ -1,4 +1,6 @@
 // The scene as the camera sees it.
+// needs: nothing
+// offers: gl_Position, relative_position, surface_normal, albedo
 
 uniform mat4 clip_from_relative;
 

@@ -1,6 +1,8 @@
 // Reading single texels of a shadow map. Its texture has no filter, and a border
 // at far depth. (texelFetch() would do, but Mesa's software driver takes twice
 // as long for it.)
+// needs: nothing
+// offers: occluder_depth, shadow_map
 
 uniform sampler2DArray shadow_map;  // red: depth in [0, 1]
 

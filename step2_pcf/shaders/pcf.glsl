@@ -1,8 +1,8 @@
 // Step 2: compare first, then average. Reeves, Salesin, Cook, Rendering
 // antialiased shadows with depth maps, SIGGRAPH 1987.
-//
-// pcf.c puts the width of the filter in front, a constant:
+// needs: Receiver, shadow_map, comparison_bias, occluder_depth; from pcf.c:
 //     const int kernel;  texels, odd
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

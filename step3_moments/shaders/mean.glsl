@@ -1,5 +1,7 @@
 // Steps 3 and 4: one comparison with the mean depth. A mean is not a depth of
 // anything: this is what step 5 mends.
+// needs: Receiver, shadow_map, comparison_bias, moments_at
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

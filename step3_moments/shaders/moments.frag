@@ -1,6 +1,8 @@
 // Step 3: the first two moments of the depth's distribution. One texel holds
 // one depth, so here M2 is only its square; it cannot be had from M1 any more
 // once texels have been averaged.
+// needs: map_depth
+// offers: moments
 
 uniform int layer;
 

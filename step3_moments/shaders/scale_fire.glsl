@@ -1,4 +1,6 @@
 // From 0, near black, to 1, yellow: for values on a logarithmic scale.
+// needs: nothing
+// offers: scale_color
 
 vec3 scale_color(float part)
 {

@@ -1,5 +1,7 @@
 // --show variance: of the texels that each point looks up, on a logarithmic
 // scale from 1e-9 (what rounding leaves of none) to 1e-1.
+// needs: Receiver, moments_at, scale_color
+// offers: show
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {

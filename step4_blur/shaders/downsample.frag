@@ -1,8 +1,8 @@
 // A smaller map: the mean of factor x factor texels. The moments of a group of
 // texels are the means of their moments.
-//
-// blur.c puts a constant in front:
-//     const int factor;
+// needs: map_texel; from blur.c:
+//     const int factor;  of texels along each axis to one
+// offers: moments
 
 layout(location = 0) out vec2 moments;
 

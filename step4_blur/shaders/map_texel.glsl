@@ -1,6 +1,8 @@
 // Reading single texels of a map: frame_filter() binds a sampler without a
 // filter, with a border at far depth. (texelFetch() would do, but Mesa's
 // software driver takes twice as long for it.)
+// needs: nothing
+// offers: map_texel, layer
 
 uniform sampler2DArray map;  // red, green: moments of the depth
 uniform int layer;

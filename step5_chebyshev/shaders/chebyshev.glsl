@@ -1,4 +1,6 @@
 // Step 5: Donnelly, Lauritzen, Variance shadow maps, I3D 2006.
+// needs: nothing
+// offers: chebyshev
 
 // The largest part of the filter's depths X that can be at or behind t:
 // P(X >= t) <= variance / (variance + (t - mean)^2) where t > mean (Cantelli's

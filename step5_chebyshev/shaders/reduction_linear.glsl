@@ -1,8 +1,8 @@
 // Light bleeds where the bound is loose; what is left of it below A is cut off
 // and the rest stretched. Lauritzen, GPU Gems 3, chapter 8.
-//
-// chebyshev.c puts A in front, a constant:
-//     const float bleed_reduction;  in [0, 1)
+// needs: from chebyshev.c:
+//     const float bleed_reduction;  A, in [0, 1)
+// offers: reduce_bleeding
 
 float reduce_bleeding(float p_max)
 {

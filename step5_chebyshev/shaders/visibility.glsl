@@ -5,11 +5,11 @@
 // the same to the mean: the bound is then never below the lit share
 // (--min-variance auto). Or the variance is at least a constant that somebody
 // found by looking (--min-variance X), as in most published programs.
-//
-// chebyshev.c puts constants in front:
+// needs: Receiver, moments_at, reduce_bleeding, chebyshev; from chebyshev.c:
 //     const vec2 guard_mean;      the part of M1, and a constant
 //     const vec2 guard_variance;  the part of M2, and a constant
 //     const float min_variance;   of the squared depth range
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

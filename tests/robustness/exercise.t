@@ -73,7 +73,7 @@ for (
     [ 2, 'pcf.glsl', 'receiver.layer)' => '0)' ],
     [ 2, 'pcf.glsl', $SIZE => 'ivec2(128)' ],
     [ 3, 'moments.frag', 'position, layer' => 'position, 0' ],
-    [ 3, 'moments.frag', 'map_depth' => 'light_depth' ],
+    [ 3, 'moments.frag', 'map_depth(' => 'light_depth(' ],
     [ 3, 'mean.glsl', "vec2($SIZE)" => 'vec2(128.0)' ],
     [
         4, 'downsample.frag',

@@ -46,6 +46,7 @@ void gl_find_files(const Shaders *shaders, const char *const names[],
 // A program of several shader files, NULL at the end; the names stay valid. The
 // files of a stage are compiled as one shader, in that order. The last one has
 // main(), and its name says which stage it is: .vert, .geom, .frag or .comp.
+// Each begins with the names that it needs from others, or from C, and offers.
 // They carry no #version line (it may come only once, before all else); 330
 // core is put in front, of compute shaders 430 core. So are `constants`, of
 // which a copy is kept: definitions in GLSL of what is known only at run time,

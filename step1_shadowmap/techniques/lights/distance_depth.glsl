@@ -2,6 +2,8 @@
 // in the distance from it (only the last number of its row is not 0).
 // Projective depth would crowd all that is far from the light into a last
 // sliver below 1, where a variance says nothing.
+// needs: towards_light
+// offers: light_depth, depth_gradient
 
 uniform vec4 depth_from_relative[8];  // a row for each layer
 uniform float depth_per_distance;

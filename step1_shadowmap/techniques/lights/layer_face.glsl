@@ -1,5 +1,7 @@
 // A point light has six views, along +x, -x, +y, -y, +z and -z: a position
 // belongs to that of its largest coordinate as seen from the light.
+// needs: towards_light
+// offers: map_layer
 
 int map_layer(vec3 relative_position)
 {

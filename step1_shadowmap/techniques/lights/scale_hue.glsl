@@ -1,4 +1,6 @@
 // Eight hues, one for each layer of a map; part is layer / 7.
+// needs: nothing
+// offers: scale_color
 
 vec3 scale_color(float part)
 {

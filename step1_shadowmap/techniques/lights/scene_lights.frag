@@ -1,4 +1,7 @@
 // In place of the lesson's: a light that is somewhere, and maybe a cone.
+// needs: Receiver, inside_map, visibility, viewer_normal, map_layer,
+//     relative_position, map_coordinates, towards_light, albedo, show, dump
+// offers: color
 
 uniform vec3 radiance;  // of the light, linear RGB
 uniform vec3 ambient;   // from everywhere else, linear RGB

@@ -1,5 +1,7 @@
 // --show layer: which layer of the map each point looks up, as a hue over the
 // shaded picture; grey where the map does not reach.
+// needs: Receiver, inside_map, scale_color
+// offers: show
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {

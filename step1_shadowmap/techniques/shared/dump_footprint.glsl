@@ -1,4 +1,6 @@
 // In place of dump.glsl where a lookup asks for the footprint.
+// needs: Receiver, footprint
+// offers: dump
 
 layout(location = 1) out vec4 dumped_receiver;  // u, v, t, layer
 layout(location = 2) out vec3 dumped_position;

@@ -1,5 +1,8 @@
 // What a pixel, taken as a disc, covers of the map: an ellipse. Lengths of its
 // axes in texels.
+// needs: Receiver, footprint
+// offers: Ellipse, pixel_ellipse
+
 struct Ellipse {
     vec2 direction;  // of the longer axis, unit
     float longer;

@@ -1,4 +1,6 @@
 // How far apart neighbouring pixels are in the map.
+// needs: Receiver, map_from_relative, relative_position, to_right, to_above
+// offers: footprint
 
 // How u and v change from this pixel to the next ones: du/dx, dv/dx, du/dy,
 // dv/dy. From the position, not from u and v: a neighbour may lie in another

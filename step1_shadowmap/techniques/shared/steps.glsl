@@ -1,4 +1,6 @@
 // How far it is to what the next pixels show.
+// needs: relative_position
+// offers: to_right, to_above
 
 // A derivative has no value in a branch that a neighbour may not take, so both
 // are taken here, before main() begins.

@@ -1,4 +1,6 @@
 // --dump: what the next layer said, exactly as it was used.
+// needs: Receiver
+// offers: dump_handover
 
 layout(location = 6) out vec4 dumped_handover;  // u, v, t in the next layer
 

@@ -2,6 +2,8 @@
 // the camera sees it. In the last part of a split the next one takes over,
 // else the change of the texels' size would show as a line; after the last one
 // there is only light.
+// needs: nothing
+// offers: map_layer, next_layer_share, layers
 
 uniform int layers;  // of the map
 uniform mat4 clip_from_relative;

@@ -1,4 +1,8 @@
 // In place of the lesson's: a map for each part of the view.
+// needs: Receiver, inside_map, visibility, viewer_normal, map_layer,
+//     relative_position, next_layer_share, map_coordinates, layers,
+//     towards_light, albedo, show, dump, dump_handover
+// offers: color
 
 uniform vec3 radiance;  // of the light, linear RGB
 uniform vec3 ambient;   // from everywhere else, linear RGB

@@ -1,5 +1,7 @@
 // --adaptive: the lesson's filter (pcf.glsl), of the width that filter_width()
 // says.
+// needs: Receiver, shadow_map, filter_width, comparison_bias, occluder_depth
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

@@ -1,9 +1,9 @@
 // --adaptive: as wide as what the pixel covers of the map, which is more the
 // further away it is. Where texels are wider than pixels there is nothing to
 // average but the steps of the texels themselves: 3 of them.
-//
-// pcf.c puts the widest in front, a constant:
+// needs: Receiver, shadow_map, pixel_ellipse; from pcf.c:
 //     const int kernel;  texels, odd
+// offers: filter_width
 
 int filter_width(Receiver receiver)
 {

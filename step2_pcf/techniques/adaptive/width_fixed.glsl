@@ -1,5 +1,7 @@
-// The filter is as wide everywhere. pcf.c puts the width in front, a constant:
+// The filter is as wide everywhere.
+// needs: Receiver; from pcf.c:
 //     const int kernel;  texels, odd
+// offers: filter_width
 
 int filter_width(Receiver receiver)
 {

@@ -3,6 +3,8 @@
 // interpolated before the comparison. Neighbouring taps share their texels, so
 // n x n taps are (n + 1) x (n + 1) comparisons: weight 1 inside, less at the
 // rim.
+// needs: Receiver, shadow_map, filter_width, comparison_bias, occluder_depth
+// offers: visibility
 
 float tap_weight(int i, int width, float part)
 {

@@ -1,4 +1,7 @@
 // --pattern poisson: the taps are spread over a disc as wide as the grid.
+// needs: Receiver, shadow_map, filter_width, comparison_bias, POISSON_TAPS,
+//     poisson_tap, occluder_depth
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

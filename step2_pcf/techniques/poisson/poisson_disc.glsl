@@ -2,6 +2,8 @@
 // Poisson disc), so that a few of them see all of it. They are the centroids of
 // their own Voronoi cells, scaled so that the mean of their squared radius is
 // the disc's, 1/2.
+// needs: nothing
+// offers: poisson_tap, POISSON_TAPS, POISSON_RADIUS
 
 const int POISSON_TAPS = 32;
 

@@ -2,6 +2,8 @@
 // texels are read one by one and merged here and not by the texture unit. The
 // texture has no filter, and a border at far depth. (texelFetch() would do, but
 // Mesa's software driver takes twice as long for it.)
+// needs: merge_two
+// offers: moments_between, shadow_map
 
 uniform sampler2DArray shadow_map;  // red, green: mean, variance of the depth
 

@@ -1,5 +1,8 @@
 // --moments central: a texel holds the mean and the variance of the depths in
 // it, so that no lookup has to take two large numbers from each other.
+// needs: nothing
+// offers: Merge, moments_of, variance_of, merge_two, merge_about, merge_add,
+//     merge_end, merge_sums, merge_add_sums, far_moments
 
 const vec2 far_moments = vec2(1.0, 0.0);  // of nothing but far depth
 

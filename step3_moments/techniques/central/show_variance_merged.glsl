@@ -1,4 +1,6 @@
 // In place of show_variance.glsl, whatever a texel holds.
+// needs: Receiver, variance_of, moments_at, scale_color
+// offers: show
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {

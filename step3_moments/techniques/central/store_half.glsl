@@ -1,6 +1,8 @@
 // What a texel of 16-bit floats keeps of moments: 11 bits. Some drivers (Mesa's
 // software ones) cut the others off, which pulls mean and variance down pass by
 // pass: so they are rounded to nearest here, and the store changes nothing.
+// needs: nothing
+// offers: stored
 
 vec2 stored(vec2 moments)
 {

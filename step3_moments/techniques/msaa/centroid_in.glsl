@@ -1,4 +1,6 @@
 // --msaa: the position at a place in the texel that the triangle covers.
+// needs: nothing
+// offers: relative_position
 
 centroid in vec4 covered_position;
 

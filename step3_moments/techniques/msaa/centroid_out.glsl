@@ -2,6 +2,8 @@
 // There its plane may have any depth, before the light or behind everything. So
 // a fragment gets the position at a place that its triangle covers, the centre
 // where that is all.
+// needs: nothing
+// offers: hand_on, covered_position
 
 centroid out vec4 covered_position;
 

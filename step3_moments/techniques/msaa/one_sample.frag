@@ -1,4 +1,6 @@
 // --dump with --msaa: the moments of one sample of each texel.
+// needs: nothing
+// offers: moments
 
 uniform sampler2DMS samples;
 uniform int index;  // of the sample

@@ -1,5 +1,7 @@
 // --msaa: the moments of a texel are those of its samples together. (Depths
 // cannot be averaged: this is why a depth map has no --msaa.)
+// needs: Merge, merge_about, merge_add, stored, merge_end
+// offers: moments
 
 uniform sampler2DMS samples;
 uniform int count;  // of samples

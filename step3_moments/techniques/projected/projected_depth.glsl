@@ -2,6 +2,8 @@
 // light w is 1 and this is the linear depth. For a spot or point light with the
 // distance d along the view's axis it is far / (far - near) (1 - near / d): far
 // from the light it hardly changes any more.
+// needs: map_from_relative
+// offers: light_depth, depth_gradient
 
 // Row i of the matrix to (u w, v w, z w, w).
 vec4 map_row(int layer, int i)

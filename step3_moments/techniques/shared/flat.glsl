@@ -1,4 +1,6 @@
 // A texel holds one depth, which does not vary.
+// needs: nothing
+// offers: texel_variance, layer
 
 uniform int layer;
 

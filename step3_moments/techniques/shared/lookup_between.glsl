@@ -1,5 +1,7 @@
 // In place of lookup_bilinear.glsl, where another file knows what is between
 // the texels.
+// needs: Receiver, moments_between
+// offers: moments_at
 
 vec2 moments_at(Receiver receiver)
 {

@@ -1,4 +1,6 @@
 // In place of map.vert: what the next shader gets, hand_on() says.
+// needs: hand_on
+// offers: gl_Position
 
 uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
 uniform int layer;

@@ -1,5 +1,8 @@
 // --moments raw: a texel holds M1 = E[x] and M2 = E[x^2] of the depths x in it.
 // Means of means: the moments of many texels are the weighted means of theirs.
+// needs: nothing
+// offers: Merge, moments_of, variance_of, merge_two, merge_about, merge_add,
+//     merge_end, merge_sums, merge_add_sums, far_moments
 
 const vec2 far_moments = vec2(1.0);  // of nothing but far depth
 

@@ -1,3 +1,5 @@
 // The position at the texel's centre.
+// needs: nothing
+// offers: relative_position
 
 in vec3 relative_position;

@@ -3,9 +3,10 @@
 // under a Gaussian of standard deviation half a texel. The distance from a spot
 // or point light is not linear in the map, even on a plane: this is its slope
 // at one place in the texel.
-//
-// slope.c puts in front, a constant:
+// needs: map_from_relative, map_gradient, depth_gradient, relative_position;
+//     from slope.c:
 //     const vec2 slope_map_size;  texels
+// offers: slope_variance, layer
 
 uniform int layer;
 

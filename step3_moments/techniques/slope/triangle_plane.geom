@@ -1,5 +1,7 @@
 // Gives every fragment of a triangle the triangle's own normal, and hands its
 // position on.
+// needs: hand_on
+// offers: gl_Position, plane_normal
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;

@@ -9,11 +9,13 @@
 // the boxes around it; every sum is about that texel, which is in all of them.
 // (van Herk, A fast algorithm for local minimum and maximum filters on
 // rectangular and octagonal kernels, 1992, has these blocks for minima.)
+// needs: far_moments, Merge, merge_about, merge_sums, merge_add,
+//     merge_add_sums, merge_end; from running_box.c:
+//     const ivec2 sides;  texels before and after the one in the middle
+// offers: blurred
 
 layout(local_size_x = 64) in;
 
-// running_box.c puts in front, as a constant: const ivec2 sides, the texels before and
-// after the one in the middle.
 const int width = sides.x + 1 + sides.y;
 
 layout(rg32f) readonly uniform image2DArray map;

@@ -1,5 +1,8 @@
 // --anisotropy: taps side by side along the pixel's longer axis, each as wide
 // as the shorter one. One level for the longer axis would blur across it too.
+// needs: last_level, Receiver, shadow_map, Ellipse, pixel_ellipse, Merge,
+//     moments_at_level, merge_about, merge_add, merge_end
+// offers: moments_at
 
 uniform int anisotropy;     // most taps
 uniform float free_texels;  // around a receiver, in which all have to stay

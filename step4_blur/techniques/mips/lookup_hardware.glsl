@@ -1,6 +1,8 @@
 // --sampler hardware: the texture unit chooses the level, blends the levels and
 // takes its own taps. How, differs from one GPU to the next, but it is handed
 // the same derivatives.
+// needs: Receiver, footprint
+// offers: moments_at, shadow_map
 
 uniform sampler2DArray shadow_map;  // red, green: moments M1, M2 of the depth
 

@@ -1,4 +1,6 @@
 // --mips: the level whose texels are as wide as the pixel is long in the map.
+// needs: Receiver, shadow_map, pixel_ellipse, moments_at_level
+// offers: moments_at
 
 vec2 moments_at(Receiver receiver)
 {

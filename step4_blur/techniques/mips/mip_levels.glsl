@@ -1,5 +1,7 @@
 // Looking up a mip-map chain at a level of one's own choice. (The level that
 // texture() chooses is another one on every GPU.)
+// needs: merge_two, moments_between
+// offers: moments_at_level, last_level
 
 uniform int last_level;  // of the chain; level 0 is the finest
 

@@ -1,6 +1,8 @@
 // The next level of the mip-map chain: half as wide, half as high. A box of
 // 2 x 2 texels would keep corners that a coarse level then shows as squares;
 // 1 3 3 1 over 8 along each axis is a box of 2 over a tent, so it is smoother.
+// needs: Merge, merge_about, map_texel, merge_add, stored, merge_end
+// offers: moments
 
 layout(location = 0) out vec2 moments;
 

@@ -1,4 +1,6 @@
 // --sat: the blur's box, at the receiver itself and not at texel centres.
+// needs: Receiver, shadow_map, box_mean
+// offers: moments_at
 
 uniform float box_width;  // texels
 

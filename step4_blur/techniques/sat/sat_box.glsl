@@ -1,5 +1,7 @@
 // The mean over any box of the map, from a summed-area table of 1 - M1 and
 // 1 - M2. Crow, Summed-area tables for texture mapping, SIGGRAPH 1984.
+// needs: nothing
+// offers: box_mean, shadow_map
 
 uniform usampler2DArray shadow_map;  // red, green: the two sums
 uniform uint steps;                  // 1.0 in whole numbers

@@ -1,5 +1,7 @@
 // Then along each column, in place. Whole numbers wrap around at 2^32 in any
 // order of summing, so this is the same table to the last bit.
+// needs: nothing
+// offers: table
 
 layout(local_size_x = 64) in;
 

@@ -1,4 +1,6 @@
 // --dump: what the table gives at every texel's centre.
+// needs: box_mean
+// offers: moments
 
 uniform int layer;
 uniform float box_width;  // texels

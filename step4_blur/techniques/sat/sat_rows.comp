@@ -1,5 +1,7 @@
 // A running sum along each row, one row for each invocation: n additions where
 // recursive doubling reads 4 texels in each of log4(n) passes.
+// needs: nearness_steps, map_texel, layer
+// offers: table
 
 layout(local_size_x = 64) in;
 

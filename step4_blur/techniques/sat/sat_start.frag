@@ -1,4 +1,6 @@
 // The first table: what there is to sum.
+// needs: nearness_steps, map_texel
+// offers: sums
 
 layout(location = 0) out uvec2 sums;
 

@@ -4,6 +4,8 @@
 // in a map of 1024^2: floats 4.1e-3, floats of depth - 0.5 2.5e-4, these 1.2e-7.
 // What is summed is nearness, 1 - M, which is 0 at far
 // depth: so what lies outside the map adds nothing.
+// needs: nothing
+// offers: nearness_steps
 
 uniform uint steps;  // 1.0 in whole numbers, a power of two
 

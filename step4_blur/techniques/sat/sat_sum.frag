@@ -1,6 +1,8 @@
 // Recursive doubling, four at a time: after passes with strides 1, 4, 16, ...
 // a texel holds the sum of all up to it along the axis. Hensley and others,
 // Fast summed-area table generation and its applications, Eurographics 2005.
+// needs: nothing
+// offers: sums
 
 uniform usampler2DArray table;
 uniform int layer;

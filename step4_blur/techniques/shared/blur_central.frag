@@ -1,6 +1,9 @@
 // --moments central: blur.frag, but that a variance is no weighted mean of
 // variances. The texel in the middle has the largest weight, so the others are
 // merged about its mean. The constants are blur.frag's.
+// needs: Merge, merge_about, map_texel, radius, weights, merge_add, axis,
+//     stored, merge_end
+// offers: moments
 
 layout(location = 0) out vec2 moments;
 

@@ -1,5 +1,7 @@
 // --moments central: downsample.frag, merged about the first texel's mean. The
 // constant is downsample.frag's.
+// needs: factor, Merge, merge_about, map_texel, merge_add, stored, merge_end
+// offers: moments
 
 layout(location = 0) out vec2 moments;
 

@@ -1,4 +1,6 @@
 // --deferred, first pass: what each pixel shows, stored for the second one.
+// needs: relative_position, viewer_normal, albedo, store_steps
+// offers: stored_position, stored_normal, stored_albedo
 
 layout(location = 0) out vec3 stored_position;  // relative to the camera
 layout(location = 1) out vec3 stored_normal;    // unit, towards the viewer

@@ -1,4 +1,6 @@
 // The position's derivatives from the G-buffer, see gbuffer_steps.glsl.
+// needs: nothing
+// offers: to_right, to_above
 
 uniform sampler2D stored_right;
 uniform sampler2D stored_above;

@@ -1,4 +1,6 @@
 // --deferred, second pass: what this pixel shows, from the G-buffer.
+// needs: nothing
+// offers: viewer_normal, relative_position, albedo
 
 uniform sampler2D stored_position;
 uniform sampler2D stored_normal;

@@ -1,4 +1,6 @@
 // Nothing is added to a variance but its guard.
+// needs: nothing
+// offers: biased
 
 float biased(float variance)
 {

@@ -1,12 +1,12 @@
 // --min-variance auto, of mean and variance: what rounding can have taken from
 // the standard deviation is added to it, what it can have taken from the mean
 // is added too. proof.md shows that p is then never below the lit share.
-//
-// guard_settings.c puts constants in front:
+// needs: Receiver, depth_gradient, variance_of; from guard_settings.c:
 //     const float chain_spread;   of the deviation
 //     const vec2 chain_variance;  of the root of M2 (to the deviation);
 //                                 underflow
 //     const vec2 chain_mean;      of M1; underflow
+// offers: guarded
 
 // From 1/2 to 1 all floats are equally far apart: rounding moves them by no
 // larger a part of 1/2.

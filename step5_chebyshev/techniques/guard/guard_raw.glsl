@@ -1,10 +1,10 @@
 // --min-variance auto, of raw moments however they were filtered: as the
 // lesson's visibility.glsl. proof.md shows that p is then never below the lit
 // share.
-//
-// guard_settings.c puts constants in front:
+// needs: Receiver; from guard_settings.c:
 //     const vec2 chain_mean;      the part of M1, and a constant
 //     const vec2 chain_variance;  the part of M2, and a constant
+// offers: guarded
 
 // The mean and the variance of the depths, at most.
 vec2 guarded(vec2 moments, Receiver receiver)

@@ -1,5 +1,7 @@
 // In place of the lesson's visibility.glsl, where other files know what a texel
 // holds and what rounding has done to it.
+// needs: Receiver, guarded, moments_at, reduce_bleeding, chebyshev, biased
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

@@ -2,6 +2,8 @@
 // on the screen. Where the camera is close a texel covers many pixels and its
 // square shows: there the box grows, up to the radius that was asked for. Where
 // a texel is half a pixel or less there is nothing to hide, and one is enough.
+// needs: Receiver, footprint, shadow_map, box_mean
+// offers: moments_at
 
 uniform float box_width;  // texels, at most
 

@@ -1,6 +1,10 @@
 // --soft: the moments over the penumbra's disc, from a few taps that each pixel
 // turns. Each is looked up at the level of its own part of the disc, so that
 // they leave nothing out between them, and turning them costs little noise.
+// needs: Receiver, Disc, POISSON_RADIUS, Merge, POISSON_TAPS, poisson_tap,
+//     moments_at_level, merge_about, merge_add, merge_end, penumbra_disc,
+//     moments_of
+// offers: moments_at
 
 vec2 disc_mean(Receiver receiver, Disc disc)
 {

@@ -1,6 +1,10 @@
 // --soft: how wide the penumbra is at a receiver. Fernando, Percentage-closer
 // soft shadows, SIGGRAPH 2005, with the occluders' mean depth of Yang, Dong,
 // Feng, Seidel, Kautz, Variance soft shadow mapping, 2010.
+// needs: light_position, Receiver, map_from_relative, map_gradient,
+//     towards_light, depth_slope, moments_at_level, variance_of, guarded,
+//     chebyshev, biased, shadow_map
+// offers: Disc, penumbra_disc, LEAST_DISC
 
 uniform float light_size;  // its diameter, of a parallel light at a distance
                            // of 1; world units

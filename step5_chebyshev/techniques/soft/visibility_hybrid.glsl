@@ -1,6 +1,9 @@
 // --hybrid: the moments say only how wide the penumbra is. Over its disc single
 // depths are compared, as in step 2: no bound, so no light bleeds. The map has
 // not been filtered, so M1 is a depth.
+// needs: Disc, LEAST_DISC, Receiver, penumbra_disc, shadow_map, depth_slope,
+//     comparison_bias, POISSON_TAPS, poisson_tap
+// offers: visibility
 
 // Where a caster stands on the receiver even the least disc is too wide: it
 // would reach the light on the caster's other side. There it is half as wide as

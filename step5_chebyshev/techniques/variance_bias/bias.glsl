@@ -1,7 +1,7 @@
 // --variance-bias X: added to every variance, which is then at most 1.
-//
-// variance_bias.c puts a constant in front:
+// needs: from variance_bias.c:
 //     const float variance_bias;  of the squared depth range
+// offers: biased
 
 float biased(float variance)
 {

@@ -1,4 +1,6 @@
 // None is grey, one is orange, two are blue; part is half of their number.
+// needs: nothing
+// offers: scale_color
 
 vec3 scale_color(float part)
 {

@@ -1,5 +1,7 @@
 // --show plan: how often each pixel had to look a map up, as a hue over the
 // shaded picture. Grey: its visibility was known.
+// needs: Receiver, visibility, scale_color
+// offers: show
 
 int lookups = 0;  // so far, for this pixel
 

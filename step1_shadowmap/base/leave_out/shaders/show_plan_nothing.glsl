@@ -1,4 +1,6 @@
 // --show plan with --shadows off, and where no visible receiver is in a map.
+// needs: Receiver, scale_color
+// offers: show
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {

@@ -1,5 +1,7 @@
 // --shadows off, and where no visible receiver is in a map: there is nothing to
 // look up.
+// needs: Receiver
+// offers: visibility
 
 float visibility(Receiver receiver)
 {

@@ -1,5 +1,7 @@
 // The scale of a --show picture: a bar of scale_color() from low to high, and a
 // line of text below it.
+// needs: scale_color
+// offers: color
 
 uniform ivec2 corner;    // lower left, pixels
 uniform int width;       // of the whole legend, pixels

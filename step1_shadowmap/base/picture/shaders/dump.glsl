@@ -1,4 +1,6 @@
 // --dump: what the picture was made from, exactly as it was used.
+// needs: Receiver
+// offers: dump
 
 layout(location = 1) out vec4 dumped_receiver;  // u, v, t, layer
 layout(location = 2) out vec3 dumped_position;

@@ -1,4 +1,6 @@
 // One triangle that covers the viewport: corners (-1, -1), (3, -1), (-1, 3).
+// needs: nothing
+// offers: gl_Position
 
 void main()
 {

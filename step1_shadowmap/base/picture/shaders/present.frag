@@ -1,4 +1,6 @@
 // The picture as a window shows it: sRGB, as a PNG file has it.
+// needs: nothing
+// offers: window_color
 
 uniform sampler2D picture;  // linear RGB, bottom row first
 uniform vec2 corner;        // its place in the window, pixels

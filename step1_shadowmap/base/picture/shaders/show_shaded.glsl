@@ -1,4 +1,6 @@
 // --show shaded
+// needs: Receiver
+// offers: show
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {

@@ -1,4 +1,6 @@
 // --show visibility
+// needs: Receiver
+// offers: show
 
 vec3 show(vec3 shaded, Receiver receiver, float lit)
 {
