@@ -6,6 +6,7 @@
 #include "step1_shadowmap/base/leave_out/casters.h"    // casters_list
 #include "step1_shadowmap/base/leave_out/lone_plane.h" // lone_plane_is_lit
 #include "step1_shadowmap/base/leave_out/receivers.h"  // receivers_find
+#include "step1_shadowmap/base/seams/technique.h"      // gl_put_instead
 #include "step1_shadowmap/base/system/die.h"           // die_usage
 
 static LeaveOut state = {.shadows = "on"};
