@@ -35,7 +35,7 @@ $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)
 
 # The oracle shares the scene table and the meshes with the programs, and
 # nothing else; with the fuzzing the bounds on rounding. No fused multiply-add: its error bounds count roundings.
-ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp)
+ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp tests/oracle/*/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
     $(addprefix scene/,scene scene_table scene_build mesh) \

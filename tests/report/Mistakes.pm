@@ -10,7 +10,7 @@ use Exporter qw(import);
 our @EXPORT_OK = qw(%MISTAKES);
 
 my $WORDS  = 'robustness/report_words';
-my $ERRORS = 'tests/oracle/errors.cpp';
+my $ERRORS = 'tests/oracle/checks/errors.cpp';
 
 our %MISTAKES = (
 

@@ -38,6 +38,11 @@ for my $room (@rooms) {
     is( "@steps", '', "$room knows no step" );
 }
 
+for my $room ( grep { -d } bsd_glob( root() . '/tests/oracle/*' ) ) {
+    my @files = bsd_glob("$room/*");
+    cmp_ok( @files, '<', 17, "$room has at most 16 files" );
+}
+
 # leave_out's names, by its own headers.
 my %names;
 for my $header ( bsd_glob( root() . "/$base/leave_out/*.h" ),
