@@ -90,7 +90,9 @@ void picture_create(Picture *picture, Frame *frame, Target *map,
                                .layers = 1,
                                .depth = true};
     choose_outputs(picture, settings);
-    techniques_create(frame, picture);
+    if (techniques_create != NULL) {
+        techniques_create(frame, picture);
+    }
     target_add(&frame->targets, &picture->target);
     picture->program = create_program(frame, constants, visibility);
     picture->legend = legend_create(frame);
@@ -123,7 +125,9 @@ static void clear(const Frame *frame)
 
 GLuint picture_begin(Picture *picture, Frame *frame)
 {
-    techniques_after(frame);
+    if (techniques_after != NULL) {
+        techniques_after(frame);
+    }
     GLuint program = gl_use(picture->program);
     picture->drawing = target_begin(&picture->target, 0);
     if (picture->drawing) {
@@ -134,7 +138,9 @@ GLuint picture_begin(Picture *picture, Frame *frame)
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY,
                   frame->looks_up ? target_texture(picture->map) : 0);
-    techniques_look(frame, program);
+    if (techniques_look != NULL) {
+        techniques_look(frame, program);
+    }
     return program;
 }
 
@@ -143,7 +149,7 @@ void picture_draw(const Picture *picture, const Frame *frame)
     if (!picture->drawing) {
         return;
     }
-    if (!techniques_shade(frame, picture)) {
+    if (techniques_shade == NULL || !techniques_shade(frame, picture)) {
         geometry_draw(&frame->geometry, &frame->scene, &frame->views.seen,
                       frame->views.origin);
     }

@@ -4,6 +4,7 @@
 #define BASE_PICTURE_H
 
 #include "step1_shadowmap/base/picture/frame.h" // Frame
+#include "step1_shadowmap/base/system/die.h"    // IF_LINKED
 
 // Outputs that techniques may write for --dump.
 enum { PICTURE_FOOTPRINT = 5, PICTURE_HANDOVER = 6 };
@@ -46,21 +47,21 @@ Program *legend_create(Frame *frame);
 void legend_draw(Program *legend, const Frame *frame);
 
 // Where techniques take part: base/seams asks those of the program's table, and
-// no_techniques.c nobody. Joins their options to the tables from this number
+// without it these are NULL. Joins their options to the tables from this number
 // on.
-void techniques_join(OptionTable tables[], int count);
+IF_LINKED void techniques_join(OptionTable tables[], int count);
 
 // Each calls these functions of all techniques in their order; `check` and
 // `prepare` from the last to the first, as later steps' choose for earlier ones
 // and put their shaders first.
-void techniques_check(Frame *frame);
-void techniques_prepare(Frame *frame);
-void techniques_create(Frame *frame, Picture *picture);
-void techniques_before(const Frame *frame);
-void techniques_after(Frame *frame);
-void techniques_look(const Frame *frame, GLuint program);
+IF_LINKED void techniques_check(Frame *frame);
+IF_LINKED void techniques_prepare(Frame *frame);
+IF_LINKED void techniques_create(Frame *frame, Picture *picture);
+IF_LINKED void techniques_before(const Frame *frame);
+IF_LINKED void techniques_after(Frame *frame);
+IF_LINKED void techniques_look(const Frame *frame, GLuint program);
 
 // False: none shades.
-bool techniques_shade(const Frame *frame, const Picture *picture);
+IF_LINKED bool techniques_shade(const Frame *frame, const Picture *picture);
 
 #endif

@@ -39,9 +39,9 @@ const Option base_options[] = {
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, output),
      .argument = "FILE",
-     .help =
-         "the picture: .png (8-bit sRGB) or .exr (linear float); with --plan, "
-         "--bench or --dump none unless this names one"},
+     .help = "the picture: .png (8-bit sRGB) or .exr (linear float); where "
+             "something "
+             "else is asked for, none unless this names one"},
     {.name = "show",
      .kind = OPTION_TEXT,
      .offset = offsetof(BaseSettings, show),

@@ -15,15 +15,25 @@ void run_options(Run *run, int argc, char **argv, int step, const char *program,
     int count = 0;
     base_settings(&frame->settings, step, program, more_shows);
     frame->options[count++] = options_table(base_options, &frame->settings);
-    frame->options[count++] = bench_options();
-    frame->options[count++] = leave_out_options(&frame->settings);
+    if (bench_options != NULL) {
+        frame->options[count++] = bench_options();
+    }
+    if (leave_out_options != NULL) {
+        frame->options[count++] = leave_out_options(&frame->settings);
+    }
     for (; tables->options != NULL; tables++) {
         frame->options[count++] = *tables;
     }
-    techniques_join(frame->options, count);
+    if (techniques_join != NULL) {
+        techniques_join(frame->options, count);
+    }
     options_parse(argc, argv, frame->options);
-    bench_check(frame);
-    techniques_check(frame);
+    if (bench_check != NULL) {
+        bench_check(frame);
+    }
+    if (techniques_check != NULL) {
+        techniques_check(frame);
+    }
 }
 
 void run_begin(Run *run)
@@ -39,10 +49,24 @@ void run_begin(Run *run)
     glGenVertexArrays(1, &frame->empty_vao);
 }
 
+// Without leave_out everything is drawn.
+static void look(Frame *frame)
+{
+    const ViewsSize size = base_views_size(&frame->settings);
+    if (leave_out_look != NULL) {
+        leave_out_look(frame);
+    } else {
+        views_fit(&frame->views, &frame->scene, &size, frame->lookups.reach);
+        frame->looks_up = true;
+    }
+}
+
 void run_look(Run *run)
 {
-    techniques_prepare(&run->frame);
-    leave_out_look(&run->frame);
+    if (techniques_prepare != NULL) {
+        techniques_prepare(&run->frame);
+    }
+    look(&run->frame);
 }
 
 // Every map is drawn once more, all of it: the picture may have needed less.
@@ -51,12 +75,14 @@ static bool next_dump(Run *run)
     Frame *frame = &run->frame;
     const BaseSettings *settings = &frame->settings;
     if (settings->dump == NULL || frame->dump != NULL ||
-        !leave_out_nothing(frame)) {
+        (leave_out_nothing != NULL && !leave_out_nothing(frame))) {
         return false;
     }
     frame->dump = settings->dump;
     base_prepare_files(&frame->settings, frame->options);
-    techniques_before(frame);
+    if (techniques_before != NULL) {
+        techniques_before(frame);
+    }
     return true;
 }
 
@@ -104,15 +130,20 @@ bool run_next(Run *run, Picture *picture, const char *subject, ...)
         begin_first(run, picture, text);
     }
     bool another = frame->settings.window ? next_in_window(run)
-                                          : bench_next(frame, run->drawn);
+                   : bench_next != NULL   ? bench_next(frame, run->drawn)
+                                          : run->drawn == 0;
     if (!another) {
         return next_dump(run);
     }
     run->drawn++;
     frame_start();
-    leave_out_look(frame);
-    leave_out_begin(frame, run->window.reload);
-    techniques_before(frame);
+    look(frame);
+    if (leave_out_begin != NULL) {
+        leave_out_begin(frame, run->window.reload);
+    }
+    if (techniques_before != NULL) {
+        techniques_before(frame);
+    }
     return true;
 }
 
@@ -125,7 +156,9 @@ static void write_dump(Run *run, const char *directory)
             dump_target(frame->targets.list[i], directory);
         }
     }
-    measure_dump(frame);
+    if (measure_dump != NULL) {
+        measure_dump(frame);
+    }
 }
 
 static void write_files(Run *run)
@@ -142,7 +175,9 @@ static void write_files(Run *run)
     if (settings->dump != NULL) {
         base_say_written(settings, settings->dump, "/");
     }
-    bench_print();
+    if (bench_print != NULL) {
+        bench_print();
+    }
 }
 
 void run_end(Run *run)

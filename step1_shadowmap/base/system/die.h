@@ -4,6 +4,10 @@
 
 #include <stddef.h> // size_t
 
+// A function of a room that a program can do without: NULL where it is not
+// linked.
+#define IF_LINKED __attribute__((weak))
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -197,32 +197,24 @@ static bool read_value(const Option *option, const char *text, void *value)
 }
 
 // Above every letter that getopt_long returns for itself.
-enum { FIRST_VALUE = 256 };
+enum { FIRST_VALUE = 256, KNOWN_OPTIONS = 2 * OPTIONS_MAX };
 
-// All tables as one list for getopt_long, with the way back from each entry
-// to its table.
-typedef struct KnownOptions {
-    struct option list[OPTIONS_MAX * 2];
-    OptionTable *table[OPTIONS_MAX * 2];
-    int index[OPTIONS_MAX * 2];
-} KnownOptions;
-
-static void join_tables(OptionTable tables[], KnownOptions *known)
+// All tables as one list for getopt_long. Each option's value says its table
+// and its place there; if they were equal, getopt would take --s for any of
+// those that begin with s.
+static void join_tables(const OptionTable tables[],
+                        struct option list[KNOWN_OPTIONS])
 {
     int count = 0;
-    for (OptionTable *table = tables; table->options; table++) {
-        for (int i = 0; table->options[i].name; i++) {
-            if (count + 1 == OPTIONS_MAX * 2) {
+    for (int t = 0; tables[t].options; t++) {
+        for (int i = 0; tables[t].options[i].name; i++) {
+            if (count + 1 == KNOWN_OPTIONS || i == OPTIONS_MAX) {
                 die("more than %d options", count);
             }
-            bool flag = table->options[i].kind == OPTION_FLAG;
-            known->list[count].name = table->options[i].name;
-            known->list[count].has_arg = flag ? no_argument : required_argument;
-            // Each its own value, else getopt takes --s for any of those that
-            // begin with s.
-            known->list[count].val = FIRST_VALUE + count;
-            known->table[count] = table;
-            known->index[count++] = i;
+            bool flag = tables[t].options[i].kind == OPTION_FLAG;
+            list[count].name = tables[t].options[i].name;
+            list[count].has_arg = flag ? no_argument : required_argument;
+            list[count++].val = FIRST_VALUE + OPTIONS_MAX * t + i;
         }
     }
 }
@@ -245,23 +237,22 @@ OptionTable options_table(const Option *options, void *settings)
 
 void options_parse(int argc, char **argv, OptionTable tables[])
 {
-    KnownOptions known = {0};
+    struct option list[KNOWN_OPTIONS] = {{0}};
     safety_prepare();
-    join_tables(tables, &known);
+    join_tables(tables, list);
     // Before any value is read: the help shows the defaults.
     help_if_asked(argc, argv, tables);
     opterr = 0; // our messages, one line each
     int result;
-    while ((result = getopt_long(argc, argv, ":", known.list, NULL)) >=
-           FIRST_VALUE) {
-        int chosen = result - FIRST_VALUE;
-        OptionTable *table = known.table[chosen];
-        const Option *option = &table->options[known.index[chosen]];
+    while ((result = getopt_long(argc, argv, ":", list, NULL)) >= FIRST_VALUE) {
+        OptionTable *table = &tables[(result - FIRST_VALUE) / OPTIONS_MAX];
+        int place = (result - FIRST_VALUE) % OPTIONS_MAX;
+        const Option *option = &table->options[place];
         const char *text = optarg == NULL ? "" : optarg;
         if (!read_value(option, text, value_of(table, option))) {
             refuse(option, text);
         }
-        table->given[known.index[chosen]] = true;
+        table->given[place] = true;
     }
     if (result == ':') {
         die_usage("%s wants a value; see --help", argv[optind - 1]);
