@@ -2,12 +2,11 @@
 
 #include "step1_shadowmap/base/files/file.h"
 
-#include <dirent.h>   // opendir, readdir
 #include <errno.h>    // errno, program_invocation_name
 #include <limits.h>   // PATH_MAX
 #include <stdio.h>    // fopen, snprintf
 #include <stdlib.h>   // realpath
-#include <string.h>   // strerror, strncmp, strrchr
+#include <string.h>   // strerror, strrchr
 #include <sys/stat.h> // mkdir, stat
 #include <unistd.h>   // readlink
 
@@ -68,20 +67,6 @@ bool tree_find(char folder[FILE_NAME_BYTES])
         *strrchr(folder, '/') = '\0';
         snprintf(step, sizeof step, "%s/step1_shadowmap", folder);
         found = file_is_directory(step);
-    }
-    return found;
-}
-
-bool tree_is_like(const char *folder)
-{
-    bool found = false;
-    DIR *entries = opendir(folder);
-    for (struct dirent *entry = NULL;
-         entries != NULL && !found && (entry = readdir(entries)) != NULL;) {
-        found = strncmp(entry->d_name, "step", 4) == 0;
-    }
-    if (entries != NULL) {
-        closedir(entries);
     }
     return found;
 }

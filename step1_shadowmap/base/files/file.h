@@ -28,9 +28,6 @@ bool file_is_directory(const char *path);
 // false where there is none.
 bool tree_find(char folder[FILE_NAME_BYTES]);
 
-// Whether a folder is laid out as the tree: it holds a step's folder.
-bool tree_is_like(const char *folder);
-
 #ifdef __cplusplus
 }
 #endif

@@ -127,13 +127,6 @@ GLuint gl_texture(GLenum format, int width, int height)
     return texture;
 }
 
-__attribute__((weak)) GLuint gl_texture_samples(GLenum format, int width,
-                                                int height, int samples)
-{
-    die("no texture of %d samples 0x%x, %dx%d: base/seams makes them", samples,
-        format, width, height);
-}
-
 GLuint gl_depth_buffer(int width, int height, int samples)
 {
     GLuint buffer;

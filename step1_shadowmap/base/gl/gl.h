@@ -9,7 +9,8 @@
 #include <stddef.h> // size_t
 #include <stdio.h>  // FILE
 
-#include "step1_shadowmap/base/gl/rect.h" // Rect
+#include "step1_shadowmap/base/system/die.h" // IF_LINKED
+#include "step1_shadowmap/base/gl/rect.h"    // Rect
 
 typedef void (*GlFunction)(void);
 typedef GlFunction (*GlLoader)(const char *name);
@@ -104,7 +105,8 @@ void gl_add_level(GLenum format, int level, int width, int height, int layers);
 
 // A 2D texture of so many samples per texel. Refuses (status 2, it is --msaa's)
 // a number that this driver does not have.
-GLuint gl_texture_samples(GLenum format, int width, int height, int samples);
+IF_LINKED GLuint gl_texture_samples(GLenum format, int width, int height,
+                                    int samples);
 
 // A renderbuffer of 32-bit float depth; samples 0: one for each texel.
 GLuint gl_depth_buffer(int width, int height, int samples);

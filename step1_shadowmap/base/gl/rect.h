@@ -12,11 +12,22 @@ typedef struct Rect {
 } Rect;
 
 // All of a map of width x height texels.
-Rect rect_whole(int width, int height);
+static inline Rect rect_whole(int width, int height)
+{
+    return (Rect){{0, 0}, {width, height}};
+}
 
-bool rect_is_empty(const Rect *rect);
+static inline bool rect_is_empty(const Rect *rect)
+{
+    return rect->low[0] >= rect->high[0] || rect->low[1] >= rect->high[1];
+}
 
 // How many texels it has.
-size_t rect_texels(const Rect *rect);
+static inline size_t rect_texels(const Rect *rect)
+{
+    return rect_is_empty(rect) ? 0
+                               : (size_t)(rect->high[0] - rect->low[0]) *
+                                     (size_t)(rect->high[1] - rect->low[1]);
+}
 
 #endif

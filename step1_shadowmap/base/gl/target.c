@@ -134,11 +134,6 @@ GLuint target_texture(Target *target)
     return target->textures[0];
 }
 
-__attribute__((weak)) void target_touch(Target *target, const Rect *wanted)
-{
-    (void)target, (void)wanted;
-}
-
 const Rect *target_wanted(Target *target, int layer)
 {
     const Rect *wanted = &target->layer[layer].wanted;
@@ -146,7 +141,9 @@ const Rect *target_wanted(Target *target, int layer)
         return NULL;
     }
     target_texture(target);
-    target_touch(target, wanted);
+    if (target_touch != NULL) {
+        target_touch(target, wanted);
+    }
     return wanted;
 }
 

@@ -4,7 +4,8 @@
 #ifndef BASE_TARGET_H
 #define BASE_TARGET_H
 
-#include "step1_shadowmap/base/gl/gl.h" // Sampling
+#include "step1_shadowmap/base/system/die.h" // IF_LINKED
+#include "step1_shadowmap/base/gl/gl.h"      // Sampling
 
 enum {
     TARGET_MAX_LAYERS = 8,
@@ -113,7 +114,7 @@ Touched targets_touched(Targets *targets);
 size_t targets_map_bytes(const Targets *targets);
 
 // base/measure counts a draw of these texels.
-void target_touch(Target *target, const Rect *wanted);
+IF_LINKED void target_touch(Target *target, const Rect *wanted);
 
 void targets_destroy(Targets *targets);
 

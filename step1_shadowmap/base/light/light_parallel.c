@@ -52,7 +52,8 @@ void bound_casters(LightFrame *frame, const Scene *scene,
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
         if ((object->casts || !any) &&
-            !object_box_is(object, origin, axes, holds_point, frame)) {
+            !(object_box_is != NULL &&
+              object_box_is(object, origin, axes, holds_point, frame))) {
             include_object(frame, object, origin);
         }
     }

@@ -42,14 +42,6 @@ void vertex_relative(const Object *object, const double origin[3],
     }
 }
 
-__attribute__((weak)) bool
-object_box_is(const Object *object, const double origin[3], double axes[3][3],
-              bool holds(const void *, const double[3]), const void *range)
-{
-    (void)object, (void)origin, (void)axes, (void)holds, (void)range;
-    return false;
-}
-
 void frame_coordinates(double axes[3][3], const double position[3],
                        double result[3])
 {
@@ -103,7 +95,8 @@ void region_include_scene(Region *region, double axes[3][3], const Scene *scene,
     region->farthest = 0;
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
-        if (object_box_is(object, origin, axes, is_held, region)) {
+        if (object_box_is != NULL &&
+            object_box_is(object, origin, axes, is_held, region)) {
             continue;
         }
         for (size_t k = 0; k < object->mesh->index_count; k += 3) {

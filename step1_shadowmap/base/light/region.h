@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "step1_shadowmap/base/scene/scene.h" // Object, Scene
+#include "step1_shadowmap/base/system/die.h"  // IF_LINKED
 
 // Four half-spaces dot(normal, p) <= limit, and what is in them: the range
 // along the third axis, and how far from the origin it reaches.
@@ -27,10 +28,11 @@ void vertex_relative(const Object *object, const double origin[3],
 
 // Whether a range holds all of the box around an object, so that none of its
 // vertices has to be looked at: `holds` says it of a point along the axes.
-// base/leave_out knows; without it, false.
-bool object_box_is(const Object *object, const double origin[3],
-                   double axes[3][3], bool holds(const void *, const double[3]),
-                   const void *range);
+// base/leave_out knows.
+IF_LINKED bool object_box_is(const Object *object, const double origin[3],
+                             double axes[3][3],
+                             bool holds(const void *, const double[3]),
+                             const void *range);
 
 // A position's coordinates along three axes.
 void frame_coordinates(double axes[3][3], const double position[3],

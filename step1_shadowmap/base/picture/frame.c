@@ -45,17 +45,8 @@ void frame_filter(const Frame *frame, Program *program, Target *target)
     glDeleteSamplers(1, &sampler);
 }
 
-__attribute__((weak)) void frame_start(void)
-{
-}
-
 __attribute__((weak)) void frame_lap(Frame *frame, const char *name)
 {
     (void)frame, (void)name;
     gl_unlimit();
-}
-
-__attribute__((weak)) double frame_milliseconds(void)
-{
-    return 0;
 }

@@ -6,6 +6,7 @@
 #include "step1_shadowmap/base/light/view.h"       // Views
 #include "step1_shadowmap/base/picture/geometry.h" // Geometry
 #include "step1_shadowmap/base/picture/settings.h" // BaseSettings
+#include "step1_shadowmap/base/system/die.h"       // IF_LINKED
 
 enum { TECHNIQUES_MAX = 24 };
 
@@ -59,10 +60,10 @@ Target frame_map(const Frame *frame, const char *pass, GLenum format,
 // 0, at far depth outside; and `layer` is the layer.
 void frame_filter(const Frame *frame, Program *program, Target *target);
 
-// base/measure takes the time of passes; without it these do nothing.
+// base/measure takes the time of passes.
 
 // A frame begins, with what is planned before its first pass.
-void frame_start(void);
+IF_LINKED void frame_start(void);
 
 // The passes since the last call, or since the frame's start, are done: notes
 // their time and what they touched under this name. Nothing if all that they
@@ -70,6 +71,6 @@ void frame_start(void);
 void frame_lap(Frame *frame, const char *name);
 
 // What the last frame took; 0: nobody knows.
-double frame_milliseconds(void);
+IF_LINKED double frame_milliseconds(void);
 
 #endif

@@ -40,16 +40,10 @@ static void upload_surface(const Mesh *mesh, GLuint vertices, GLuint indices)
     point_at(NORMAL, sizeof(MeshVertex), offsetof(MeshVertex, normal));
 }
 
-__attribute__((weak)) bool shape_of_mesh(const Mesh *mesh, Shape *result)
-{
-    (void)mesh, (void)result;
-    return false;
-}
-
 static void upload_shape(const Mesh *mesh, GLuint vertices, GLuint indices)
 {
     Shape shape;
-    if (!shape_of_mesh(mesh, &shape)) {
+    if (shape_of_mesh == NULL || !shape_of_mesh(mesh, &shape)) {
         upload_surface(mesh, vertices, indices);
         return;
     }

@@ -5,6 +5,7 @@
 #include <glad/gl.h>
 
 #include "step1_shadowmap/base/scene/scene.h" // DrawList, Scene
+#include "step1_shadowmap/base/system/die.h"  // IF_LINKED
 
 // A mesh's triangles without its normals: positions in object space, and as
 // many indices as the mesh has, in the same order.
@@ -14,9 +15,9 @@ typedef struct Shape {
     size_t count; // of the positions
 } Shape;
 
-// base/leave_out makes it, and the caller frees both arrays; without it, false:
+// base/leave_out makes it, and the caller frees both arrays; without it
 // what the map does not need is drawn too.
-bool shape_of_mesh(const Mesh *mesh, Shape *result);
+IF_LINKED bool shape_of_mesh(const Mesh *mesh, Shape *result);
 
 // What a pass reads of each mesh.
 typedef struct GeometryStream {

@@ -66,17 +66,6 @@ static Program *create_program(Frame *frame, const char *constants,
     return gl_program(&frame->shaders, constants, files);
 }
 
-__attribute__((weak)) Program *legend_create(Frame *frame)
-{
-    (void)frame;
-    return NULL;
-}
-
-__attribute__((weak)) void legend_draw(Program *legend, const Frame *frame)
-{
-    (void)legend, (void)frame;
-}
-
 void picture_create(Picture *picture, Frame *frame, Target *map,
                     const char *constants, const char *const visibility[])
 {
@@ -95,7 +84,7 @@ void picture_create(Picture *picture, Frame *frame, Target *map,
     }
     target_add(&frame->targets, &picture->target);
     picture->program = create_program(frame, constants, visibility);
-    picture->legend = legend_create(frame);
+    picture->legend = legend_create == NULL ? NULL : legend_create(frame);
 }
 
 static void set_uniforms(GLuint program, const Scene *scene, const Views *views)
@@ -153,7 +142,9 @@ void picture_draw(const Picture *picture, const Frame *frame)
         geometry_draw(&frame->geometry, &frame->scene, &frame->views.seen,
                       frame->views.origin);
     }
-    legend_draw(picture->legend, frame);
+    if (legend_draw != NULL) {
+        legend_draw(picture->legend, frame);
+    }
 }
 
 // One of the picture's outputs; the caller frees it.

@@ -43,8 +43,8 @@ void picture_dump(const Picture *picture, const char *directory);
 
 // base/legend has these; without it there is none. It says what the colours of
 // a --show picture mean, over colour attachment 0 of the bound framebuffer.
-Program *legend_create(Frame *frame);
-void legend_draw(Program *legend, const Frame *frame);
+IF_LINKED Program *legend_create(Frame *frame);
+IF_LINKED void legend_draw(Program *legend, const Frame *frame);
 
 // Where techniques take part: base/seams asks those of the program's table, and
 // without it these are NULL. Joins their options to the tables from this number

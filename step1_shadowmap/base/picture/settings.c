@@ -138,14 +138,8 @@ void base_settings_check(const BaseSettings *settings)
         printed_check();
         exit(0);
     }
-    if (settings->shaders != NULL && !file_is_directory(settings->shaders)) {
-        die_usage("--shaders '%s': there is no such directory",
-                  settings->shaders);
-    }
-    if (settings->shaders != NULL && !tree_is_like(settings->shaders)) {
-        die_usage("--shaders '%s': it holds no folder of a step; it has to be "
-                  "laid out as the tree is",
-                  settings->shaders);
+    if (safety_check_shaders != NULL) {
+        safety_check_shaders(settings->shaders);
     }
     if (!image_name_is_known(settings->output)) {
         die_usage("--output '%s': the name has to end in .png or .exr",

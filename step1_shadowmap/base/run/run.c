@@ -136,7 +136,9 @@ bool run_next(Run *run, Picture *picture, const char *subject, ...)
         return next_dump(run);
     }
     run->drawn++;
-    frame_start();
+    if (frame_start != NULL) {
+        frame_start();
+    }
     look(frame);
     if (leave_out_begin != NULL) {
         leave_out_begin(frame, run->window.reload);

@@ -169,7 +169,7 @@ void window_show(const Window *window, const Frame *frame,
 {
     const BaseSettings *settings = &frame->settings;
     char title[256], time[32] = "";
-    if (frame_milliseconds() > 0) {
+    if (frame_milliseconds != NULL) {
         snprintf(time, sizeof time, " - %.1f ms", frame_milliseconds());
     }
     snprintf(title, sizeof title, "%s - %s%s%s", settings->scene,

@@ -67,10 +67,6 @@ void printed_check(void)
     }
 }
 
-__attribute__((weak)) void safety_prepare(void)
-{
-}
-
 __attribute__((weak)) void memory_check(size_t bytes, const char *format, ...)
 {
     (void)bytes, (void)format;

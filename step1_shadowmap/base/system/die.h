@@ -32,11 +32,15 @@ void *allocate(size_t count, size_t size);
 // full, or nobody reads it.
 void printed_check(void);
 
-// base/safety has these two; without it they do nothing.
+// base/safety has these three.
 
 // To be called before all else, so that what happens to a program from outside
 // ends in one line too.
-void safety_prepare(void);
+IF_LINKED void safety_prepare(void);
+
+// Refuses (status 2) a folder of shaders, if it is not NULL, that is none or is
+// not laid out as the tree.
+IF_LINKED void safety_check_shaders(const char *folder);
 
 // Dies if so many bytes are too many, before they are allocated: what has no
 // memory behind it is often given all the same, and the process is killed when

@@ -238,7 +238,9 @@ OptionTable options_table(const Option *options, void *settings)
 void options_parse(int argc, char **argv, OptionTable tables[])
 {
     struct option list[KNOWN_OPTIONS] = {{0}};
-    safety_prepare();
+    if (safety_prepare != NULL) {
+        safety_prepare();
+    }
     join_tables(tables, list);
     // Before any value is read: the help shows the defaults.
     help_if_asked(argc, argv, tables);
