@@ -1,10 +1,9 @@
 #include "step1_shadowmap/base/scene/scene_build.h"
 
-#include <math.h>   // cos, sin
 #include <string.h> // memcpy
 
 #include "step1_shadowmap/base/system/die.h" // die
-#include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_frame, RADIANS
+#include "step1_shadowmap/base/scene/dvec.h" // dvec_copy, dvec_normalize, RADIANS
 
 const Mesh *scene_add_mesh(Scene *scene, Mesh mesh)
 {
@@ -30,30 +29,6 @@ Object *scene_add_object(Scene *scene, const char *name, const Mesh *mesh,
     for (int k = 0; k < 3; k++) {
         object->transform[k][k] = size[k];
         object->transform[k][3] = position[k];
-    }
-    return object;
-}
-
-Object *scene_add_facing_plane(Scene *scene, const char *name, const Mesh *mesh,
-                               double along, const double shift[2],
-                               const double size[2], double angle)
-{
-    const double hint[3] = {0, 1, 0};
-    const Light *light = &scene->light;
-    double right[3];
-    double up[3];
-    dvec_frame(light->direction, hint, right, up);
-    const double one[3] = {1, 1, 1};
-    Object *object = scene_add_object(scene, name, mesh, one, light->anchor);
-    for (int row = 0; row < 3; row++) {
-        double x = cos(angle) * right[row] + sin(angle) * up[row];
-        double z = sin(angle) * right[row] - cos(angle) * up[row];
-        double *m = object->transform[row];
-        m[0] = size[0] * x;
-        m[1] = -light->direction[row]; // the plane's normal
-        m[2] = size[1] * z;
-        m[3] = light->anchor[row] + along * light->direction[row] +
-               shift[0] * x + shift[1] * z;
     }
     return object;
 }

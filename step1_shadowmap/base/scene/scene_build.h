@@ -12,13 +12,6 @@ const Mesh *scene_add_mesh(Scene *scene, Mesh mesh);
 Object *scene_add_object(Scene *scene, const char *name, const Mesh *mesh,
                          const double size[3], const double position[3]);
 
-// A plane perpendicular to the light, `along` further than the anchor and
-// shifted within the plane; its sides are turned by `angle` (radians) about
-// the light against the horizontal.
-Object *scene_add_facing_plane(Scene *scene, const char *name, const Mesh *mesh,
-                               double along, const double shift[2],
-                               const double size[2], double angle);
-
 // A floor at height 0, 60 units wide, that casts nothing.
 Object *scene_add_floor(Scene *scene, const Mesh *plane);
 

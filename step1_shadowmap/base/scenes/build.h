@@ -22,6 +22,13 @@ Object *scene_add_block(Scene *scene, const char *name, const Mesh *box,
 // a spot or point light shines on what the camera looks at from where it is.
 void scene_change_light(Scene *scene, bool raised, const char *kind);
 
+// A plane perpendicular to the light, `along` further than the anchor and
+// shifted within the plane; its sides are turned by `angle` (radians) about
+// the light against the horizontal.
+Object *scene_add_facing_plane(Scene *scene, const char *name, const Mesh *mesh,
+                               double along, const double shift[2],
+                               const double size[2], double angle);
+
 // A spot or point light that is aimed at a target; its radiance holds at the
 // distance `reference` from it.
 void scene_set_local_light(Scene *scene, LightKind kind,
@@ -36,6 +43,7 @@ void scene_build_crowd(Scene *scene, const double values[]);
 
 // closed.c
 void scene_build_edge(Scene *scene, const double values[]);
+void scene_build_bleed(Scene *scene, const double values[]);
 void scene_build_empty(Scene *scene, const double values[]);
 void scene_build_grazing(Scene *scene, const double values[]);
 void scene_build_unlit(Scene *scene, const double values[]);

@@ -35,6 +35,41 @@ void scene_build_edge(Scene *scene, const double values[])
     object_set_albedo(occluder, 0.25f, 0.42f, 0.62f);
 }
 
+// Two occluders over a floor, all perpendicular to the light; the upper one
+// ends above the middle of the lower one, whose shadow therefore contains an
+// edge that it should not show. The upper gap is r times the lower one.
+enum { BLEED_RATIO };
+
+void scene_build_bleed(Scene *scene, const double values[])
+{
+    const double lower_gap = 0.6;
+    const double upper_gap = values[BLEED_RATIO] * lower_gap;
+    const double height = 1 + lower_gap + upper_gap;
+    const double eye[3] = {6.2, 2.2, 3.2};
+    const double target[3] = {0.1, 0.8, 0};
+    scene_set_camera(scene, eye, target, 28);
+    scene_set_light(scene, -0.12, -0.98, -0.08);
+    for (int k = 0; k < 3; k++) {
+        scene->light.anchor[k] = -height * scene->light.direction[k];
+    }
+    const Mesh *plane = scene_add_mesh(scene, mesh_plane());
+    const double centre[2] = {0, 0};
+    const double large[2] = {40, 40};
+    Object *ground =
+        scene_add_facing_plane(scene, "floor", plane, height, centre, large, 0);
+    object_set_albedo(ground, 0.62f, 0.60f, 0.57f);
+    ground->casts = false;
+    const double aside[2] = {-0.5, 0};
+    const double size[2] = {2, 2};
+    object_set_albedo(scene_add_facing_plane(scene, "lower", plane,
+                                             height - lower_gap, centre, size,
+                                             0.1),
+                      0.25f, 0.42f, 0.62f);
+    object_set_albedo(
+        scene_add_facing_plane(scene, "upper", plane, 1, aside, size, 0.1),
+        0.72f, 0.30f, 0.16f);
+}
+
 void scene_build_empty(Scene *scene, const double values[])
 {
     (void)values;
