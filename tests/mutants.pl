@@ -232,9 +232,9 @@ my %mutants = (
         'steered || steers(*variable)', 'steered && steers(*variable)'
     ],
     'a printed program without its constants' => [
-        'robustness/printed', 'step1_shadowmap/base/gl/gl_program.c',
-        "version_of(stage_from(name)),\n                    program->constants",
-        'version_of(stage_from(name)), ""'
+        'robustness/printed', 'step1_shadowmap/base/measure/print_shader.c',
+        "shader_version(stage_from(name)),\n                   program->constants",
+        'shader_version(stage_from(name)), ""'
     ],
     'a printed program with the lesson in place of a technique' => [
         'robustness/printed', 'step1_shadowmap/base/gl/gl_program.c',

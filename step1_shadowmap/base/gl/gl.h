@@ -44,6 +44,14 @@ typedef struct Shaders {
 void gl_find_files(const Shaders *shaders, const char *const names[],
                    const char *files[PROGRAM_MAX_FILES + 1]);
 
+struct Program {
+    GLuint id; // 0 before the program is used
+    Program *next;
+    const Shaders *shaders;
+    char *constants;
+    const char *files[PROGRAM_MAX_FILES + 1]; // names, NULL after the last
+};
+
 // A program of several shader files, NULL at the end; the names stay valid. The
 // files of a stage are compiled as one shader, in that order. The last one has
 // main(), and its name says which stage it is: .vert, .geom, .frag or .comp.
@@ -62,10 +70,6 @@ bool gl_has_compute(void);
 // it the first time: an error stops the run with the file and line that it is
 // in.
 GLuint gl_use(Program *program);
-
-// Writes a program as it is compiled, stage by stage: the version, the
-// constants, and each file's name and text.
-void gl_print(const Program *program, FILE *file);
 
 // Compiles all programs that were not used yet: after that a file that somebody
 // breaks cannot stop the run.

@@ -10,14 +10,6 @@
 
 enum { LINES_PER_FILE = 10000, LOG_BYTES = 4096 };
 
-struct Program {
-    GLuint id; // 0 before the program is used
-    Program *next;
-    const Shaders *shaders;
-    char *constants;
-    const char *files[PROGRAM_MAX_FILES + 1]; // names, NULL after the last
-};
-
 // Drivers put the number of the source string and the line in front, as in
 // "0:30014(5): error: ..." (Mesa) or "0(30014) : error ..." (NVIDIA). The
 // message is the first line that says "error", with the name of the file that
@@ -48,12 +40,6 @@ static void explain_log(const char *log, const Program *program,
     }
 }
 
-static const char *version_of(GLenum type)
-{
-    return type == GL_COMPUTE_SHADER ? "#version 430 core\n"
-                                     : "#version 330 core\n";
-}
-
 // The shader, or 0 and the message.
 static GLuint compile_texts(GLenum type, const Program *program,
                             const char *const files[], int count,
@@ -63,7 +49,7 @@ static GLuint compile_texts(GLenum type, const Program *program,
     // too. (The number of the source string, meant for that, is lost by Mesa in
     // most of its messages.)
     char before[PROGRAM_MAX_FILES][24];
-    const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {version_of(type),
+    const char *sources[2 + 2 * PROGRAM_MAX_FILES] = {shader_version(type),
                                                       program->constants};
     for (int i = 0; i < count; i++) {
         snprintf(before[i], sizeof before[i], "\n#line %d\n",
@@ -204,34 +190,6 @@ GLuint gl_use(Program *program)
     }
     glUseProgram(program->id);
     return program->id;
-}
-
-// The stage that this file is compiled in: that of the last one.
-static GLenum stage_from(const char *const files[])
-{
-    while (shader_stage(*files) == 0) {
-        files++;
-    }
-    return shader_stage(*files);
-}
-
-void gl_print(const Program *program, FILE *file)
-{
-    bool begins = true;
-    for (const char *const *name = program->files; *name != NULL; name++) {
-        char message[SHADER_MESSAGE_BYTES];
-        char *text = shader_read(program->shaders->directory, *name, message);
-        if (text == NULL) {
-            die("%s", message);
-        }
-        if (begins) {
-            fprintf(file, "%s%s\n\n", version_of(stage_from(name)),
-                    program->constants);
-        }
-        fprintf(file, "// ---- %s ----\n\n%s\n", *name, text);
-        free(text);
-        begins = shader_stage(*name) != 0;
-    }
 }
 
 void gl_compile(Shaders *shaders)

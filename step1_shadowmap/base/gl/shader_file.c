@@ -98,3 +98,9 @@ char *shader_read(const char *directory, const char *name,
     }
     return text;
 }
+
+const char *shader_version(GLenum type)
+{
+    return type == GL_COMPUTE_SHADER ? "#version 430 core\n"
+                                     : "#version 330 core\n";
+}

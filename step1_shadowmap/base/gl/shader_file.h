@@ -25,4 +25,7 @@ bool shader_find(const char *directory, const char *name,
 char *shader_read(const char *directory, const char *name,
                   char message[SHADER_MESSAGE_BYTES]);
 
+// The first line of a stage.
+const char *shader_version(GLenum type);
+
 #endif

@@ -13,7 +13,8 @@ enum {
 };
 
 static struct Bench {
-    int bench;        // frames to time, or 0
+    int bench; // frames to time, or 0
+    bool print_shader;
     const char *move; // objects that move between frames, or NULL
     Stopwatch last;   // of the last frame
     double milliseconds[STOPWATCH_MAX_PASSES][MAX_FRAMES];
@@ -28,6 +29,11 @@ static const Option options[] = {
      .argument = "N",
      .help = "time N frames after a warm-up; prints each pass's times, and the "
              "texels and bytes that it touches, as CSV"},
+    {.name = "print-shader",
+     .kind = OPTION_FLAG,
+     .offset = offsetof(struct Bench, print_shader),
+     .help = "print the picture's shader program, with the names of its files, "
+             "and exit"},
     {.name = "move",
      .kind = OPTION_TEXT,
      .offset = offsetof(struct Bench, move),
@@ -54,6 +60,7 @@ void bench_check(Frame *frame)
                   state.move);
     }
     frame->settings.prints = frame->settings.prints || state.bench > 0;
+    frame->settings.print_shader = state.print_shader;
     frame->changes = frame->changes || state.move != NULL;
 }
 

@@ -60,11 +60,6 @@ const Option base_options[] = {
      .offset = offsetof(BaseSettings, shaders),
      .argument = "DIR",
      .help = "look for shader files there first (laid out as in the tree)"},
-    {.name = "print-shader",
-     .kind = OPTION_FLAG,
-     .offset = offsetof(BaseSettings, print_shader),
-     .help = "print the picture's shader program, with the names of its files, "
-             "and exit"},
     {.name = "window",
      .kind = OPTION_FLAG,
      .offset = offsetof(BaseSettings, window),

@@ -36,6 +36,9 @@ IF_LINKED void bench_check(Frame *frame);
 // refuses (status 2) to move what the scene does not have.
 IF_LINKED bool bench_next(Frame *frame, int drawn);
 
+// --print-shader: prints the picture's program and exits.
+IF_LINKED void measure_print_shader(const Frame *frame, const Program *program);
+
 // Prints the times.
 IF_LINKED void bench_print(void);
 

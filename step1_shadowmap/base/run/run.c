@@ -1,12 +1,10 @@
 #include "step1_shadowmap/base/run/run.h"
 
 #include <stdarg.h> // va_start
-#include <stdio.h>  // stdout, vsnprintf
-#include <stdlib.h> // exit
+#include <stdio.h>  // vsnprintf
 
 #include "step1_shadowmap/base/picture/dump.h" // dump_target
 #include "step1_shadowmap/base/run/extras.h"   // leave_out_look, bench_next
-#include "step1_shadowmap/base/system/die.h"   // printed_check
 
 void run_options(Run *run, int argc, char **argv, int step, const char *program,
                  const ShowMode *more_shows, const OptionTable tables[])
@@ -106,10 +104,8 @@ static void begin_first(Run *run, Picture *picture, const char *subject)
 {
     Frame *frame = &run->frame;
     run->picture = picture;
-    if (frame->settings.print_shader) {
-        gl_print(picture->program, stdout);
-        printed_check();
-        exit(0);
+    if (measure_print_shader != NULL) {
+        measure_print_shader(frame, picture->program);
     }
     if (frame->settings.window) {
         base_prepare_files(&frame->settings, frame->options);
