@@ -69,30 +69,30 @@ my %mutants = (
         '0.5 * float(kernel + 1)', '0.25 * float(kernel + 1)'
     ],
     'a slope bias for one texel' => [
-        'bias', 'step1_shadowmap/shaders/bias.glsl',
+        'all_bias', 'step1_shadowmap/shaders/bias.glsl',
         '0.5 * float(kernel + 1)', '1.0'
     ],
     'no constant bias' => [
-        'bias', 'step1_shadowmap/shaders/bias.glsl',
+        'all_bias', 'step1_shadowmap/shaders/bias.glsl',
         'return bias + slope_bias', 'return slope_bias'
     ],
     'one tap row forgotten' => [
         'step2', 'step2_pcf/shaders/pcf.glsl', 'y <= radius', 'y < radius'
     ],
     'a width by the shorter axis' => [
-        'pcf', 'step2_pcf/techniques/adaptive/width_adaptive.glsl',
+        'step2_pcf', 'step2_pcf/techniques/adaptive/width_adaptive.glsl',
         '.longer', '.shorter'
     ],
     'a width that is not clamped' => [
-        'pcf', 'step2_pcf/techniques/adaptive/width_adaptive.glsl',
+        'step2_pcf', 'step2_pcf/techniques/adaptive/width_adaptive.glsl',
         'min(2 * radius + 1, kernel)', '2 * radius + 1'
     ],
     'weights of the rim swapped' => [
-        'pcf', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
+        'step2_pcf', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'i == width ? part : 1.0', 'i == width ? 1.0 - part : 1.0'
     ],
     'bilinear taps half a texel off' => [
-        'pcf', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
+        'step2_pcf', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'vec2(size) - 0.5', 'vec2(size)'
     ],
     'both moments scaled' => [
@@ -170,15 +170,15 @@ my %mutants = (
         'part * rest * apart * apart', '0.0'
     ],
     'weights of 2 x 2 swapped' => [
-        'truths', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
+        'all_truths', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'return 1.0 - part;', 'return part;'
     ],
     'a rim that is not weighted' => [
-        'truths', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
+        'all_truths', 'step2_pcf/techniques/bilinear/pcf_bilinear.glsl',
         'i == width ? part : 1.0', '1.0'
     ],
     'the wrong row of the kernel' => [
-        'truths', 'step4_blur/shaders/blur.frag',
+        'all_truths', 'step4_blur/shaders/blur.frag',
         'weights[i + radius]', 'weights[abs(i)]'
     ],
     'the variance bias taken away' => [
@@ -212,7 +212,7 @@ my %mutants = (
         'single.filter = GL_NEAREST', 'single.filter = GL_LINEAR'
     ],
     'central moments that the texture unit averages' => [
-        'central', 'step3_moments/techniques/central/central.c',
+        'all_central', 'step3_moments/techniques/central/central.c',
         '{GL_NEAREST', '{GL_LINEAR'
     ],
     'a copy without shaders takes those of the tree around it' => [
@@ -380,19 +380,19 @@ my %mutants = (
         '(unsigned char)*name >= 128', '(unsigned char)*name > 255'
     ],
     'a PNG upside down' => [
-        'files', 'step1_shadowmap/base/files/image.c',
+        'all_files', 'step1_shadowmap/base/files/image.c',
         '-width * channels', 'width * channels'
     ],
     'a PNG of linear values' => [
-        'files', 'step1_shadowmap/base/files/image.c',
+        'all_files', 'step1_shadowmap/base/files/image.c',
         '(255 * encoded', '(255 * value'
     ],
     'an EXR upside down' => [
-        'files', 'step1_shadowmap/base/files/image_exr.cpp',
+        'all_files', 'step1_shadowmap/base/files/image_exr.cpp',
         'row * std::size_t(y);', 'row * std::size_t(height - 1 - y);'
     ],
     'far depth that varies' => [
-        'central', 'step3_moments/techniques/central/central.c',
+        'all_central', 'step3_moments/techniques/central/central.c',
         '{1, 0, 1, 1}', '{1, 1, 1, 1}'
     ],
     'no least variance in the lesson' => [
@@ -400,7 +400,7 @@ my %mutants = (
         'max(M2 - M1 * M1, min_variance)', 'M2 - M1 * M1'
     ],
     'no least variance' => [
-        'soft', 'step5_chebyshev/techniques/guard/guard_constant.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/guard/guard_constant.glsl',
         'max(variance_of(moments), min_variance)', 'variance_of(moments)'
     ],
     'lit is not told from shadowed' => [
@@ -413,114 +413,114 @@ my %mutants = (
         'behind < 0.0 ? p_max : 1.0'
     ],
     'the last split for all' => [
-        'splits', 'step1_shadowmap/techniques/splits/layer_split.glsl',
+        'all_splits', 'step1_shadowmap/techniques/splits/layer_split.glsl',
         'depth > split_range[layer].y', 'true'
     ],
     'a hand-over to the wrong side' => [
-        'splits', 'step1_shadowmap/techniques/splits/layer_split.glsl',
+        'all_splits', 'step1_shadowmap/techniques/splits/layer_split.glsl',
         'smoothstep(split_range[layer].x, split_range[layer].y',
         'smoothstep(split_range[layer].y, split_range[layer].x'
     ],
     'a hand-over that is not made' => [
-        'splits', 'step1_shadowmap/techniques/splits/scene_splits.frag',
+        'all_splits', 'step1_shadowmap/techniques/splits/scene_splits.frag',
         'mix(lit, after, share)', 'lit'
     ],
     'handed over to itself' => [
-        'splits', 'step1_shadowmap/techniques/splits/scene_splits.frag',
+        'all_splits', 'step1_shadowmap/techniques/splits/scene_splits.frag',
         'min(layer + 1, layers - 1)', 'layer'
     ],
     'before the near plane is behind' => [
-        'splits', 'step1_shadowmap/shaders/light_depth.glsl',
+        'all_splits', 'step1_shadowmap/shaders/light_depth.glsl',
         'clamp(light_depth(relative_position, layer), 0.0, 1.0)',
         'fract(light_depth(relative_position, layer))'
     ],
     'the opposite view of a point light' => [
-        'lights', 'step1_shadowmap/techniques/lights/layer_face.glsl',
+        'all_lights', 'step1_shadowmap/techniques/lights/layer_face.glsl',
         'from_light[axis] < 0.0', 'from_light[axis] > 0.0'
     ],
     'an axis as good as the largest' => [
-        'lights', 'step1_shadowmap/techniques/lights/layer_face.glsl',
+        'all_lights', 'step1_shadowmap/techniques/lights/layer_face.glsl',
         'size.y >= size.z ? 1 : 2', '1'
     ],
     'no division by w' => [
-        'lights', 'step1_shadowmap/shaders/map_coordinates.glsl',
+        'all_lights', 'step1_shadowmap/shaders/map_coordinates.glsl',
         'map_position.xy / map_position.w', 'map_position.xy'
     ],
     'the depth along an axis' => [
-        'lights', 'step1_shadowmap/techniques/lights/distance_depth.glsl',
+        'all_lights', 'step1_shadowmap/techniques/lights/distance_depth.glsl',
         'length(towards_light(relative_position))',
         'abs(towards_light(relative_position).y)'
     ],
     'central moments merged about 0' => [
-        'central', 'step3_moments/techniques/central/merge_central.glsl',
+        'all_central', 'step3_moments/techniques/central/merge_central.glsl',
         'Merge(heaviest.x, 0.0, 0.0)', 'Merge(0.0, 0.0, 0.0)'
     ],
     'merged about a tap at the rim' => [
-        'central', 'step4_blur/techniques/shared/blur_central.frag',
+        'all_central', 'step4_blur/techniques/shared/blur_central.frag',
         'map_texel(middle))', 'map_texel(middle - radius * axis))'
     ],
     'a mean that is not moved back' => [
-        'central', 'step3_moments/techniques/central/merge_central.glsl',
+        'all_central', 'step3_moments/techniques/central/merge_central.glsl',
         'merge.square / weights - shift * shift', 'merge.square / weights'
     ],
     'variances averaged like means' => [
-        'central', 'step3_moments/techniques/central/merge_central.glsl',
+        'all_central', 'step3_moments/techniques/central/merge_central.glsl',
         'part * rest * apart * apart', '0.0'
     ],
     'a slope of central moments without a limit' => [
-        'central', 'step3_moments/techniques/central/merge_central.glsl',
+        'all_central', 'step3_moments/techniques/central/merge_central.glsl',
         'min(variance, depth - depth * depth)', 'variance'
     ],
     '16 bits cut off' => [
-        'central', 'step3_moments/techniques/central/store_half.glsl',
+        'all_central', 'step3_moments/techniques/central/store_half.glsl',
         'bits + 0xfffu + (bits >> 13 & 1u)', 'bits'
     ],
     'small halves cut off' => [
-        'central', 'step3_moments/techniques/central/store_half.glsl',
+        'all_central', 'step3_moments/techniques/central/store_half.glsl',
         'roundEven(', 'floor('
     ],
     'outside a central map boxes find depths that vary' => [
-        'boxes', 'step3_moments/techniques/central/merge_central.glsl',
+        'step4_boxes', 'step3_moments/techniques/central/merge_central.glsl',
         'vec2(1.0, 0.0)', 'vec2(1.0, 1.0)'
     ],
     'a tenth of what rounds the mean' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         'chain_mean.x * mean', '0.1 * chain_mean.x * mean'
     ],
     'ten times what rounds the mean' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         'chain_mean.x * mean', '10.0 * chain_mean.x * mean'
     ],
     'a tenth of the spread' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         'chain_spread * deviation', '0.1 * chain_spread * deviation'
     ],
     'ten times the spread' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         'chain_spread * deviation', '10.0 * chain_spread * deviation'
     ],
     'a tenth of what rounds the deviation' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         'chain_variance.x * size', '0.1 * chain_variance.x * size'
     ],
     'ten times what rounds the deviation' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         'chain_variance.x * size', '10.0 * chain_variance.x * size'
     ],
     'a tenth of the noise' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         '64.0 / 16777216.0', '6.4 / 16777216.0'
     ],
     'ten times the noise' => [
-        'central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
+        'all_central', 'step5_chebyshev/techniques/guard/guard_central.glsl',
         '64.0 / 16777216.0', '640.0 / 16777216.0'
     ],
     'a tenth of what raw moments lose' => [
-        'central', 'step5_chebyshev/shaders/visibility.glsl',
+        'all_central', 'step5_chebyshev/shaders/visibility.glsl',
         'guard_variance.x * M2', '0.1 * guard_variance.x * M2'
     ],
     'ten times what raw moments lose' => [
-        'central', 'step5_chebyshev/shaders/visibility.glsl',
+        'all_central', 'step5_chebyshev/shaders/visibility.glsl',
         'guard_variance.x * M2', '10.0 * guard_variance.x * M2'
     ],
     'raw moments in 16 bits' => [
@@ -541,77 +541,77 @@ my %mutants = (
         'step5', 'step5_chebyshev/chebyshev.c', '3 * part', 'part'
     ],
     'projected in the map, not divided' => [
-        'moments', 'step3_moments/techniques/projected/projected_depth.glsl',
+        'step3_moments', 'step3_moments/techniques/projected/projected_depth.glsl',
         ' / dot(map_row(layer, 3), position)', ''
     ],
     'a projected slope without w' => [
-        'moments', 'step3_moments/techniques/projected/projected_depth.glsl',
+        'step3_moments', 'step3_moments/techniques/projected/projected_depth.glsl',
         ' - t * along.xyz', ''
     ],
     'a slope of u only' => [
-        'moments', 'step3_moments/techniques/slope/slope_plane.glsl',
+        'step3_moments', 'step3_moments/techniques/slope/slope_plane.glsl',
         'dot(per_texel, per_texel)', 'per_texel.x * per_texel.x'
     ],
     'the variance of a uniform texel' => [
-        'moments', 'step3_moments/techniques/slope/slope_plane.glsl',
+        'step3_moments', 'step3_moments/techniques/slope/slope_plane.glsl',
         '0.25', '(1.0 / 12.0)'
     ],
     'a normal from one edge and a corner' => [
-        'moments', 'step3_moments/techniques/slope/triangle_plane.geom',
+        'step3_moments', 'step3_moments/techniques/slope/triangle_plane.geom',
         'corner_position[2].xyz - first', 'corner_position[2].xyz'
     ],
     'four times the variance by derivatives' => [
-        'moments', 'step3_moments/techniques/slope/slope_derivatives.glsl',
+        'step3_moments', 'step3_moments/techniques/slope/slope_derivatives.glsl',
         '0.25 * dot', 'dot'
     ],
     'a derivative for both axes' => [
-        'moments', 'step3_moments/techniques/slope/slope_derivatives.glsl',
+        'step3_moments', 'step3_moments/techniques/slope/slope_derivatives.glsl',
         'dFdy(light', 'dFdx(light'
     ],
     'a slope added without a limit' => [
-        'moments', 'step3_moments/techniques/shared/merge_raw.glsl',
+        'step3_moments', 'step3_moments/techniques/shared/merge_raw.glsl',
         'min(depth * depth + variance, depth)', 'depth * depth + variance'
     ],
     'one sample for all' => [
-        'msaa', 'step3_moments/techniques/msaa/resolve.frag',
+        'step3_msaa', 'step3_moments/techniques/msaa/resolve.frag',
         'texelFetch(samples, texel, i)', 'texelFetch(samples, texel, 0)'
     ],
     'a sample left out' => [
-        'msaa', 'step3_moments/techniques/msaa/resolve.frag',
+        'step3_msaa', 'step3_moments/techniques/msaa/resolve.frag',
         'i < count', 'i < count - 1'
     ],
     'samples that do not vary' => [
-        'msaa',
+        'step3_msaa',
         'step3_moments/techniques/msaa/resolve.frag',
         'stored(merge_end(merge, float(count)));',
         "stored(merge_end(merge, float(count)));\n"
           . '    moments.y = moments.x * moments.x;'
     ],
     'a depth beside its triangle' => [
-        'msaa',
+        'step3_msaa',
         'step3_moments/techniques/msaa/centroid_out.glsl',
         'centroid out', 'out',
         'step3_moments/techniques/msaa/centroid_in.glsl',
         'centroid in', 'in'
     ],
     'the w of another place' => [
-        'msaa', 'step3_moments/techniques/msaa/centroid_in.glsl',
+        'step3_msaa', 'step3_moments/techniques/msaa/centroid_in.glsl',
         'covered_position.xyz / covered_position.w', 'covered_position.xyz'
     ],
     'light outside the cone' => [
-        'lights', 'step1_shadowmap/techniques/lights/scene_lights.frag',
+        'all_lights', 'step1_shadowmap/techniques/lights/scene_lights.frag',
         'facing > 0.0 && spread < cone_spreads.x', 'facing > 0.0'
     ],
     'light that falls with the distance only' => [
-        'lights', 'step1_shadowmap/techniques/lights/scene_lights.frag',
+        'all_lights', 'step1_shadowmap/techniques/lights/scene_lights.frag',
         'part * part', 'part'
     ],
     'a cone without a soft edge' => [
-        'lights', 'step1_shadowmap/techniques/lights/scene_lights.frag',
+        'all_lights', 'step1_shadowmap/techniques/lights/scene_lights.frag',
         '* cone * cone', ''
     ],
     'a slope as if u were linear' => [
-        'lights', 'step1_shadowmap/shaders/depth_slope.glsl',
+        'all_lights', 'step1_shadowmap/shaders/depth_slope.glsl',
         '- quotient * rows[3].xyz', ''
     ],
     'a distance that is not squared' => [
@@ -630,129 +630,129 @@ my %mutants = (
         '(p_max - bleed_reduction) / (1.0 - bleed_reduction)'
     ],
     'the normal of the other side' => [
-        'deferred', 'step5_chebyshev/techniques/deferred/gbuffer.frag',
+        'step5_deferred', 'step5_chebyshev/techniques/deferred/gbuffer.frag',
         'stored_normal = viewer_normal()', 'stored_normal = -viewer_normal()'
     ],
     'the next pixel\'s position' => [
-        'deferred', 'step5_chebyshev/techniques/deferred/surface_stored.glsl',
+        'step5_deferred', 'step5_chebyshev/techniques/deferred/surface_stored.glsl',
         'stored_position, ivec2(gl_FragCoord.xy)',
         'stored_position, ivec2(gl_FragCoord.xy) + ivec2(1, 0)'
     ],
     'derivatives taken of stored positions' => [
-        'deferred', 'step5_chebyshev/techniques/deferred/steps_stored.glsl',
+        'step5_deferred', 'step5_chebyshev/techniques/deferred/steps_stored.glsl',
         'texelFetch(stored_right, ivec2(gl_FragCoord.xy), 0).xyz',
         'dFdx(relative_position)'
     ],
     'a box that shrinks when the camera is near' => [
-        'sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
+        'step5_sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
         'inversesqrt(', 'sqrt('
     ],
     'a box of the pixel\'s area' => [
-        'sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
+        'step5_sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
         'inversesqrt(max(texels, 1e-12))', '1.0 / max(texels, 1e-12)'
     ],
     'a box without a limit' => [
-        'sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
+        'step5_sat_width', 'step5_chebyshev/techniques/sat_width/lookup_sat_adaptive.glsl',
         '1.0, box_width)', '0.01, 64.0)'
     ],
     'u and v swapped for the sampler' => [
-        'sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
+        'step4_sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
         'vec3(receiver.uv,', 'vec3(receiver.uv.yx,'
     ],
     'derivatives in texels for the sampler' => [
-        'sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
+        'step4_sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
         'steps.xy, steps.zw', '9.0 * steps.xy, 9.0 * steps.zw'
     ],
     'levels made with a box' => [
-        'prefilters', 'step4_blur/techniques/mips/mips.frag',
+        'step4_prefilters', 'step4_blur/techniques/mips/mips.frag',
         'vec4(1.0, 3.0, 3.0, 1.0) / 8.0',
         'vec4(0.0, 4.0, 4.0, 0.0) / 8.0'
     ],
     'levels half a texel off' => [
-        'prefilters', 'step4_blur/techniques/mips/mips.frag',
+        'step4_prefilters', 'step4_blur/techniques/mips/mips.frag',
         'ivec2(gl_FragCoord.xy) - 1', 'ivec2(gl_FragCoord.xy)'
     ],
     'one level too coarse' => [
-        'prefilters', 'step4_blur/techniques/mips/lookup_trilinear.glsl',
+        'step4_prefilters', 'step4_blur/techniques/mips/lookup_trilinear.glsl',
         'log2(max(pixel_ellipse(receiver, size).longer, 1.0))',
         'log2(max(2.0 * pixel_ellipse(receiver, size).longer, 1.0))'
     ],
     'levels not blended' => [
-        'prefilters', 'step4_blur/techniques/mips/mip_levels.glsl',
+        'step4_prefilters', 'step4_blur/techniques/mips/mip_levels.glsl',
         'wanted - fine)', '0.0)'
     ],
     'taps that were turned and then forgotten' => [
-        'soft', 'step5_chebyshev/techniques/soft/lookup_soft.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/lookup_soft.glsl',
         'moments_at_level(uv,', 'moments_at_level(receiver.uv,'
     ],
     'a disc whose points do not turn' => [
-        'soft', 'step2_pcf/techniques/poisson/poisson_disc.glsl',
+        'step5_soft', 'step2_pcf/techniques/poisson/poisson_disc.glsl',
         'poisson_turns[4 * pixel.y + pixel.x]', 'poisson_turns[0]'
     ],
     'all taps at the finest level' => [
-        'soft', 'step5_chebyshev/techniques/soft/lookup_soft.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/lookup_soft.glsl',
         'log2(max(disc.texels * POISSON_RADIUS, 1.0))', '0.0'
     ],
     'occluders as deep as the mean' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'before / hidden', 'before'
     ],
     'a penumbra of the other kind of light' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'light_position.w == 0.0', 'light_position.w != 0.0'
     ],
     'a penumbra as wide as the light' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'penumbra_width(here, occluder)', 'penumbra_width(here, nearest)'
     ],
     'a disc of twice the penumbra' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         '0.5 * width / texels', 'width / texels'
     ],
     'a circle that no perspective stretches' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'cross(towards_light(receiver.relative_position), u)',
         'cross(towards_light(vec3(0.0)), u)'
     ],
     'a search that is as wide as the map' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         '1.0 / 8.0', '1.0'
     ],
     'one search, as wide as the light' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'pow(LEAST_DISC / widest, part)', '1.0'
     ],
     'a tilted receiver taken for what is before it' => [
-        'soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/penumbra.glsl',
         'min(deviation * deviation, 0.9 * variance)', '0.0'
     ],
     'a hybrid that is lit behind its occluders' => [
-        'soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
         'plane - bias <= occluder', 'plane - bias > occluder'
     ],
     'a hybrid that compares one depth for all taps' => [
-        'soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
         'receiver.depth + dot(slope, away)', 'receiver.depth'
     ],
     'a hybrid that reaches around its caster' => [
-        'soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
+        'step5_soft', 'step5_chebyshev/techniques/soft/visibility_hybrid.glsl',
         'min(0.5 * disc.gap / LEAST_DISC, 1.0)', '1.0'
     ],
     'derivatives of x and y swapped' => [
-        'prefilters', 'step1_shadowmap/techniques/shared/steps.glsl',
+        'step4_prefilters', 'step1_shadowmap/techniques/shared/steps.glsl',
         'dFdx(relative_position)', 'dFdy(relative_position)'
     ],
     'taps along the shorter axis' => [
-        'prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
+        'step4_prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'pixel.direction * apart',
         'pixel.direction.yx * vec2(-1, 1) * apart'
     ],
     'every tap at one place' => [
-        'prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
+        'step4_prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'receiver.uv + steps * tap_step', 'receiver.uv'
     ],
     'taps at the level of the longer axis' => [
-        'prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
+        'step4_prefilters', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'max(pixel.shorter, tap_length)', 'pixel.longer'
     ],
     'an object drawn in the place of another' => [
@@ -760,92 +760,92 @@ my %mutants = (
         'list->objects[place] = before;', ''
     ],
     'a face of a point light that is never looked up' => [
-        'lights', 'step1_shadowmap/techniques/lights/layer_face.glsl',
+        'all_lights', 'step1_shadowmap/techniques/lights/layer_face.glsl',
         'return 2 * axis', 'return axis'
     ],
     'a running box that misses its own block' => [
-        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
+        'step4_boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'merge_add_sums(box', '// merge_add_sums(box'
     ],
     'a running box that takes what another one kept' => [
-        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
+        'step4_boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'before[width - 1 - i]', 'before[i]'
     ],
     'weights written with two digits' => [
-        'truths', 'step4_blur/blur.c', '%s%.9g', '%s%.2g'
+        'all_truths', 'step4_blur/blur.c', '%s%.9g', '%s%.2g'
     ],
     'the constants of one filter for all' => [
-        'boxes', 'step4_blur/techniques/kernels/kernels.c',
+        'step4_boxes', 'step4_blur/techniques/kernels/kernels.c',
         'running_box_program(&frame->shaders, sides)',
         'running_box_program(&frame->shaders, state.filters[0].sides)'
     ],
     'a block that begins one texel late' => [
-        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
+        'step4_boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'line_texel(start - i)', 'line_texel(start - i - 1)'
     ],
     'a running box about a depth that it does not hold' => [
-        'boxes', 'step4_blur/techniques/kernels/running_box.comp',
+        'step4_boxes', 'step4_blur/techniques/kernels/running_box.comp',
         'vec2 first = line_texel(start)', 'vec2 first = vec2(0.0)'
     ],
     'even boxes that lean to the same side' => [
-        'boxes', 'step4_blur/techniques/kernels/kernels.c',
+        'step4_boxes', 'step4_blur/techniques/kernels/kernels.c',
         'weights[radius - sides[0]]', 'weights[0]'
     ],
     'a table summed along one axis' => [
-        'prefilters', 'step4_blur/techniques/sat/sat_sum.frag',
+        'step4_prefilters', 'step4_blur/techniques/sat/sat_sum.frag',
         'stride * axis', 'stride * ivec2(axis.x, 0)'
     ],
     'a running sum that begins late' => [
-        'prefilters', 'step4_blur/techniques/sat/sat_rows.comp',
+        'step4_prefilters', 'step4_blur/techniques/sat/sat_rows.comp',
         'ivec2(0, gl_GlobalInvocationID.x)', 'ivec2(1, gl_GlobalInvocationID.x)'
     ],
     'columns that are not summed' => [
-        'prefilters', 'step4_blur/techniques/sat/sat_columns.comp',
+        'step4_prefilters', 'step4_blur/techniques/sat/sat_columns.comp',
         'sum += imageLoad', 'sum = imageLoad'
     ],
     'a table whose ends are counted twice' => [
-        'prefilters', 'step4_blur/techniques/sat/sat_box.glsl',
+        'step4_prefilters', 'step4_blur/techniques/sat/sat_box.glsl',
         'first + int(floor(end))', 'first + int(floor(end)) + 1'
     ],
     'a box of whole texels only' => [
-        'prefilters', 'step4_blur/techniques/sat/sat_box.glsl',
+        'step4_prefilters', 'step4_blur/techniques/sat/sat_box.glsl',
         'vec3(1.0 - within, 1.0, end - floor(end))', 'vec3(1.0, 1.0, 0.0)'
     ],
     'a table of 16 bits' => [
-        'prefilters',
+        'step4_prefilters',
         'step4_blur/techniques/sat/sat_steps.glsl',
         'clamp(nearness, 0.0, 1.0) * float(steps) + 0.5',
         'floor(clamp(nearness, 0.0, 1.0) * 65536.0) * float(steps / 65536u)'
     ],
     'levels of a cube as coarse as there are' => [
-        'seams', 'step4_blur/techniques/mips/mip_levels.glsl',
+        'all_seams', 'step4_blur/techniques/mips/mip_levels.glsl',
         'float last = float(last_level)', 'float last = 8.0'
     ],
     'taps along a pixel beyond the border of a face' => [
-        'seams', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
+        'all_seams', 'step4_blur/techniques/mips/lookup_anisotropic.glsl',
         'return min(1.0, room / max(outermost, 1e-30))', 'return 1.0'
     ],
     'the texture unit always at level 0' => [
-        'sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
+        'step4_sampler', 'step4_blur/techniques/mips/lookup_hardware.glsl',
         'steps.xy, steps.zw', '0.0 * steps.xy, 0.0 * steps.zw'
     ],
     'the border cut off before the blur' => [
-        'seams',
+        'all_seams',
         'step4_blur/shaders/map_texel.glsl',
         'return textureLod',
         'if (any(lessThan(texel, textureSize(map, 0).xy / 16)))'
           . ' { return far_moments; } return textureLod'
     ],
     'a limit on the slope that grazing light passes' => [
-        'scenes', 'step1_shadowmap/shaders/depth_slope.glsl',
+        'all_scenes', 'step1_shadowmap/shaders/depth_slope.glsl',
         '0.02 * length', '0.1 * length'
     ],
     'half a shadow where there is none' => [
-        'shadows',    'step1_shadowmap/base/leave_out/shaders/unshadowed.glsl',
+        'all_shadows',    'step1_shadowmap/base/leave_out/shaders/unshadowed.glsl',
         'return 1.0', 'return 0.5'
     ],
     'lit although it faces away, without shadows' => [
-        'shadows',       'step1_shadowmap/shaders/scene.frag',
+        'all_shadows',       'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0', 'true'
     ],
     'what is no number, with one option only' => [
@@ -853,73 +853,73 @@ my %mutants = (
         'smoothstep(', 'sqrt(-1.0) * smoothstep('
     ],
     'facing away is not dark' => [
-        'scenes',          'step1_shadowmap/shaders/scene.frag',
+        'all_scenes',          'step1_shadowmap/shaders/scene.frag',
         'facing > 0.0', 'facing > -2.0'
     ],
     'a face that takes more than its share' => [
-        'seams',
+        'all_seams',
         'step1_shadowmap/techniques/lights/layer_face.glsl',
         'size.x >= max(size.y, size.z)',
         '1.2 * size.x >= max(size.y, size.z)'
     ],
     'a face of the light that is left out' => [
-        'plan', 'step1_shadowmap/base/leave_out/volume.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/volume.c',
         'along[axis] = (face % 2 ? -1 : 1)',
         'along[axis] = (face % 2 ? -1 : face == 4 ? -1 : 1)'
     ],
     'a rectangle that ends before its receivers' => [
-        'looked_up',           'step1_shadowmap/base/leave_out/receivers.c',
+        'all_looked_up',           'step1_shadowmap/base/leave_out/receivers.c',
         ') + MARGIN_TEXELS;', ') - 2 * MARGIN_TEXELS;'
     ],
     'a blur that reads beyond what was drawn' => [
-        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'target->reach[0], target->reach[1], size',
         'target->reach[0] / 2, target->reach[1], size'
     ],
     'blocks that start where the rectangle does' => [
-        'plan',
+        'all_plan',
         'step4_blur/techniques/kernels/running_box.c',
         'low / width * width + sides[1]',
         'low + sides[1]'
     ],
     'a level of the chain that is not wide enough' => [
-        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'frame->views.width / target->width',
         'frame->views.width * 2 / target->width'
     ],
     'what is half in the picture is left out' => [
-        'plan',        'step1_shadowmap/base/leave_out/volume.c',
+        'all_plan',        'step1_shadowmap/base/leave_out/volume.c',
         'beyond == 8', 'beyond >= 4'
     ],
     'the camera and the picture\'s lower edge mixed up' => [
-        'plan',
+        'all_plan',
         'step1_shadowmap/base/leave_out/volume.c',
         'add_slab(&volume, clip[1], clip[3])',
         'add_slab(&volume, clip[1], clip[0])'
     ],
     'a plane that no bias keeps lit' => [
-        'plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
         'lookups->slope_bias >= 1',
         'lookups->slope_bias >= 0'
     ],
     'a plane that hardly varies is lit' => [
-        'plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
         '0x1p-26 *',
         '0x1p25 *'
     ],
     'a plane that is behind its own bias' => [
-        'plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/lone_plane.c',
         'lookups->bias > lookups->rounding',
         '1 > lookups->rounding'
     ],
     'a lookup of a map that does not reach so far' => [
-        'looked_up',
+        'all_looked_up',
         'step1_shadowmap/techniques/splits/scene_splits.frag',
         'inside_map(receiver) ? visibility(receiver) : 1.0',
         'mix(1.0, visibility(receiver), float(inside_map(receiver)))'
     ],
     'a lookup that was left out is shown' => [
-        'looked_up',
+        'all_looked_up',
         'step1_shadowmap/base/leave_out/shaders/show_plan_nothing.glsl',
         'scale_color(0.0)', 'scale_color(0.5)'
     ],
@@ -940,22 +940,22 @@ my %mutants = (
         'strncmp(entry->d_name, "step", 4) == 0', 'entry->d_name[0] != 0'
     ],
     'a bias may push receivers behind what is left out' => [
-        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'lookups->bias >= 0 &&',
         ''
     ],
     'what is behind some receiver is left out' => [
-        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         '? left->layer[layer].deepest',
         '? 0.5 * left->layer[layer].deepest'
     ],
     'moments without what is behind all receivers' => [
-        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'lookups->compares &&',
         ''
     ],
     'an object that moves and leaves its shadow' => [
-        'plan', 'step1_shadowmap/base/leave_out/leave_out.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/leave_out.c',
         'object->transform, sizeof object->transform',
         'object->albedo, sizeof object->albedo'
     ],
@@ -1097,7 +1097,7 @@ my %mutants = (
         'made_from + 1 != left->layer[layer].drawn_from'
     ],
     'casters only where receivers are' => [
-        'plan', 'step1_shadowmap/base/leave_out/casters.c',
+        'all_plan', 'step1_shadowmap/base/leave_out/casters.c',
         'high[axis] = (texels->high[axis] + 1.0)',
         'high[axis] = (texels->low[axis] + 1.0)'
     ],

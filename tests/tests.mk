@@ -71,8 +71,8 @@ $(foreach p,$(PROGRAMS),$(eval $(call warm_rule,$p)))
 .PHONY: warm
 warm: programs $(PROGRAMS:%=$(BUILD)/warm/%)
 
-TESTS := $(if $(STEP_GIVEN),tests/images/step$(STEP).t,\
-    -r tests/images tests/robustness tests/stability)
+TESTS := $(if $(STEP_GIVEN),$(sort $(wildcard tests/images/step$(STEP)*.t \
+    tests/images/all_*.t)),-r tests/images tests/robustness tests/stability)
 
 # A program that draws for a fifth of a second waits longest for its memory:
 # in large pages, where there are some, it is there sooner. (Not where time is
@@ -81,7 +81,8 @@ LARGE_PAGES := \
     GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=16777216
 
 test: set-up-tests warm $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (STEP=n: one step only)
-	@$(LARGE_PAGES) VSM_BUILD=$(BUILD) perl tests/run.pl $(TESTS)
+	@$(LARGE_PAGES) VSM_BUILD=$(BUILD) $(if $(STEP_GIVEN),VSM_STEP=$(STEP)) \
+	    perl tests/run.pl $(TESTS)
 
 # Everything once more, with the programs watching their own memory. The two
 # leaks that are OSMesa's own are not counted (tests/lsan.supp). Libraries that
@@ -122,7 +123,7 @@ stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## the extreme ca
 	@VSM_BUILD=$(BUILD) perl tests/stability/stability.pl
 
 identical: set-up-tests programs $(BUILD)/oracle ## every scene in every step, with and without --keep-all: the same pixels
-	@VSM_BUILD=$(BUILD) VSM_ALL=1 perl tests/run.pl tests/images/plan.t
+	@VSM_BUILD=$(BUILD) VSM_ALL=1 perl tests/run.pl tests/images/all_plan.t
 
 fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stability/fuzz.svg
 	@mkdir -p out/stability

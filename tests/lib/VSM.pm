@@ -5,6 +5,7 @@
 #                  `make mutants` plants its mistakes
 # VSM_BUILD=DIR    where the programs are, if not in build/
 # VSM_PATIENCE=N   seconds that a window may take to react, in place of 300
+# VSM_STEP=N       only what is of step N (make test STEP=N)
 # VSM_SLOW=1       ten times the time limit, for builds with a sanitizer
 package VSM;
 
@@ -26,7 +27,7 @@ use Failing qw(is_about made);
 
 our @EXPORT = qw(root program_name program command run run_warm dump_run
   oracle ask_oracle oracle_errors slurp spew everything_below matching png_size
-  stops);
+  stops of_steps chosen);
 
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
@@ -314,6 +315,18 @@ sub stops(&$$$) {
     ok( !@wrong, $name ) and return 1;
     diag( join "\n", @wrong, "stderr: $run->{err}" );
     return 0;
+}
+
+# Whether a step is to be tested.
+sub chosen {
+    my ($step) = @_;
+    return !$ENV{VSM_STEP} || $ENV{VSM_STEP} == $step;
+}
+
+# A test file of several steps: skipped if it has nothing of the chosen one.
+sub of_steps {
+    plan( skip_all => 'nothing of this step' ) if !grep { chosen($_) } @_;
+    return;
 }
 
 1;

@@ -305,7 +305,7 @@ our $NOT_MEASURED = [
     [
         'scene grazing',
         'its light is so low that every pixel counts as a silhouette '
-          . '(N.L < 0.1); tests/images/scenes.t has its closed form'
+          . '(N.L < 0.1); tests/images/all_scenes.t has its closed form'
     ],
     [
         'scenes empty, unlit, offstage',

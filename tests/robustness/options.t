@@ -30,7 +30,7 @@ my %OPTIONS = (
         steps   => [ 1 .. 5 ],
         differ  => ['edge'],
         same    => ['teapot'],
-        bad     => [ 'nope', '' ],           # the rest is in scenes.t
+        bad     => [ 'nope', '' ],           # the rest is in all_scenes.t
         allowed => qr/--list-scenes|NAME/,
     },
     light => {
@@ -56,7 +56,7 @@ my %OPTIONS = (
         bad     => [ 'yes', '', 'on,off' ],
         allowed => qr/on,\s?off/,
     },
-    'list-scenes'  => { steps => [ 1 .. 5 ] },    # in scenes.t
+    'list-scenes'  => { steps => [ 1 .. 5 ] },    # in all_scenes.t
     'print-shader' => { steps => [ 1 .. 5 ] },    # in printed.t
     window         => { steps => [ 1 .. 5 ] },    # in window.t
     size           => {

@@ -6,6 +6,8 @@ use warnings;
 use Test::More;
 use VSM;
 
+of_steps( 1 .. 5 );
+
 my @small = qw(--size 320x180 --map-size 256);
 
 # How many times the texels between the outermost lookups: 1, where nothing else

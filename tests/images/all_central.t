@@ -5,6 +5,8 @@ use Test::More;
 use Same;
 use VSM;
 
+of_steps( 3, 4, 5 );
+
 my @small = qw(--size 320x180 --map-size 256);
 my @tiny  = qw(--size 160x90 --map-size 128);
 my @least = qw(--size 96x54 --map-size 96);

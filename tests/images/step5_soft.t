@@ -45,7 +45,7 @@ for my $options (
 oracle( 'rays', dump_run( 5, @small, qw(--scene stage --hybrid) ) );
 
 # A light almost along the floor leaves it lit, whatever its size: a plane does
-# not shadow itself. The bound by no more than scenes.t derives.
+# not shadow itself. The bound by no more than all_scenes.t derives.
 my @grazing = qw(--soft --scene grazing --light-size 0.3 --size 160x90);
 for my $options ( [@bare], ['--hybrid'] ) {
     my @dumps = map { dump_run( 5, @grazing, @$options, @$_ ) } [],
