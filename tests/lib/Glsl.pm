@@ -12,13 +12,17 @@ our @EXPORT_OK = qw(needed defined_in told);
 my $TYPE = qr/(?:void|bool|int|uint|float|[biu]?vec[234]|mat[234](?:x[234])?
     |[iu]?(?:sampler|image)\w+|[A-Z]\w*[a-z]\w*)/x;
 my %theirs = map { $_ => 1 } qw(
-  const uniform in out inout flat centroid struct if else for while return true
-  false readonly writeonly abs all any ceil clamp cos cross dFdx dFdy
-  determinant dot exp2 floatBitsToUint floor greaterThanEqual imageLoad
-  imageSize imageStore inversesqrt length lessThan lessThanEqual log log2 max
-  min mix normalize pow roundEven sign sin smoothstep sqrt texelFetch texture
-  textureGrad textureLod textureSize transpose uintBitsToFloat EmitVertex
-  EndPrimitive);
+  const uniform in out inout flat centroid struct if else for while do switch
+  case default break continue discard return true false readonly writeonly
+  abs acos all any asin atan barrier ceil clamp cos cosh cross dFdx dFdy degrees
+  determinant distance dot equal exp exp2 faceforward floatBitsToInt
+  floatBitsToUint floor fract fwidth greaterThan greaterThanEqual imageLoad
+  imageSize imageStore intBitsToFloat inverse inversesqrt isinf isnan length
+  lessThan lessThanEqual log log2 matrixCompMult max memoryBarrier min mix mod
+  modf normalize not notEqual outerProduct pow radians reflect refract round
+  roundEven sign sin sinh smoothstep sqrt step tan tanh texelFetch texture
+  textureGather textureGrad textureLod textureOffset textureSize transpose
+  trunc uintBitsToFloat EmitVertex EndPrimitive);
 
 # Without comments, numbers, what follows a dot, and layout qualifiers.
 sub code {
