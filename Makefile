@@ -19,7 +19,7 @@ program := $(word $(STEP),$(PROGRAMS))
 before := $(word $(STEP),none $(PROGRAMS))
 PICTURES := $(patsubst %,out/step%.png,1 2 3 4 5)
 
-all: out/steps.png out/table.txt ## set up, build, and draw all five pictures into out/
+all: out/steps.png out/table.txt ## read: set up, build, and draw all five pictures into out/
 	@echo 'look at out/steps.png, and at out/step1.png to out/step5.png;' \
 	    'what they cost: out/table.txt'
 
@@ -53,22 +53,22 @@ out/table.txt: $(MADE_FROM) tests/report/table.sh | out/steps.png
 	@sh tests/report/table.sh $(BUILD) >$@
 	@cat $@
 
-standalone: ## copy exactly step STEP's files to DIR, which then builds alone
+standalone: ## read: copy exactly step STEP's files to DIR, which then builds alone
 	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) $($(program)) $(base)
 
 # A step's files but for its techniques.
 lesson = $(foreach file,$($1),$(if $(findstring /techniques/,$(file)),,$(file)))
-lesson: ## copy step STEP's lesson alone to DIR: it draws the default picture's bytes
+lesson: ## read: copy step STEP's lesson alone to DIR: it draws the default picture's bytes
 	@sh step1_shadowmap/base/standalone.sh "$$DIR" $(program) \
 	    $(call lesson,$(program)) $(base_rest) $(call rooms,$(lesson_rooms))
 
-shader: $(BUILD)/$(program) ## print the shader program of step STEP's picture
+shader: $(BUILD)/$(program) ## read: print the shader program of step STEP's picture
 	@$< --print-shader
 
-window: $(BUILD)/$(program) ## open step STEP in a window
+window: $(BUILD)/$(program) ## read: open step STEP in a window
 	@$< --window
 
-diff: ## what the lesson of step STEP changes against the one before it
+diff: ## read: what the lesson of step STEP changes against the one before it
 	@diff -u --label '$(before)/main.c' --label '$(program)/main.c' \
 	    $(before)/main.c $(program)/main.c || test $$? = 1
 	@for f in $(filter-out $(program)/main.c $(call lesson,$(before)),$(call lesson,$(program))); do \
@@ -76,8 +76,14 @@ diff: ## what the lesson of step STEP changes against the one before it
 	@for f in $(filter-out $(call lesson,$(program)) $(before)/main.c,$(call lesson,$(before))); do \
 	    echo "gone: $$f"; done
 
-clean: ## remove build/ and out/
+clean: ## maintain: remove build/ and out/
 	rm -rf build out
 
-help: ## print this
-	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(MAKEFILE_LIST) | sort -u | expand -t 14
+# A goal's group is the first word after the two number signs.
+help: ## read: print this
+	@for group in read measure teach maintain; do \
+	    echo "to $$group:"; \
+	    sed -n "s/^\([a-z-]*\):[^#]*## $$group: /  \1\t/p" $(MAKEFILE_LIST) | \
+	        sort -u | expand -t 14; done
+	@echo 'STEP is 1 to 5 (5 if it is not said), DEPS is yes or no (yes: install' \
+	    'what is missing), DIR a folder.'

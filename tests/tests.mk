@@ -80,7 +80,7 @@ TESTS := $(if $(STEP_GIVEN),$(sort $(wildcard tests/images/step$(STEP)*.t \
 LARGE_PAGES := \
     GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=16777216
 
-test: set-up-tests warm $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (STEP=n: one step only)
+test: set-up-tests warm $(BUILD)/oracle $(BUILD)/fuzz ## maintain: set up, build, test (STEP=n: one step only)
 	@$(LARGE_PAGES) VSM_BUILD=$(BUILD) $(if $(STEP_GIVEN),VSM_STEP=$(STEP)) \
 	    perl tests/run.pl $(TESTS)
 
@@ -90,42 +90,42 @@ test: set-up-tests warm $(BUILD)/oracle $(BUILD)/fuzz ## set up, build, test (ST
 # watches where it is, would look for at a wrong place.
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
     -fno-sanitize-recover=undefined
-sanitize: ## run every test on programs built with ASan and UBSan
+sanitize: ## maintain: run every test on programs built with ASan and UBSan
 	@LSAN_OPTIONS="suppressions=\"$$PWD/tests/lsan.supp\":print_suppressions=0" \
 	    ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	    VSM_SLOW=1 $(MAKE) BUILD=build/sanitize CFLAGS='$(SANITIZE)' \
 	    CXXFLAGS='$(SANITIZE)' LDFLAGS='$(SANITIZE)' test
 
 REPORT_RECOGNISED := libjxl-devtools:command:butteraugli_main
-report: set-up-tests programs $(BUILD)/oracle ## error against run time, out/report/ (REPORT=quick: in 2 minutes)
+report: set-up-tests programs $(BUILD)/oracle ## measure: error against run time, out/report/ (REPORT=quick: in 2 minutes)
 	@sh step1_shadowmap/base/set-up.sh $(DEPS) 'the report' $(REPORT_RECOGNISED)
 	@VSM_BUILD=$(BUILD) perl tests/report/report.pl
 
-table: set-up-tests programs $(BUILD)/oracle ## what a frame of each step costs, and how wrong it is
+table: set-up-tests programs $(BUILD)/oracle ## measure: what a frame of each step costs, and how wrong it is
 	@sh tests/report/table.sh $(BUILD)
 
-bench: set-up-tests programs ## how the time grows with width, map, triangles, picture, layers: out/bench/
+bench: set-up-tests programs ## measure: how the time grows with width, map, triangles, picture, layers: out/bench/
 	@VSM_BUILD=$(BUILD) perl tests/report/bench.pl
 
-saved: set-up-tests programs ## time of each scene and step with and without what is left out: out/bench/saved.csv
+saved: set-up-tests programs ## measure: time of each scene and step with and without what is left out: out/bench/saved.csv
 	@VSM_BUILD=$(BUILD) perl tests/report/saved.pl
 
-mutants: set-up-tests warm $(BUILD)/oracle ## plant mistakes one at a time: each must be caught
+mutants: set-up-tests warm $(BUILD)/oracle ## maintain: plant mistakes one at a time: each must be caught
 	@$(LARGE_PAGES) VSM_BUILD=$(BUILD) perl tests/mutants.pl
 
-exercise: set-up-tests ## copy step STEP to DIR with its functions emptied, for a student to write
+exercise: set-up-tests ## teach: copy step STEP to DIR with its functions emptied, for a student to write
 	@perl tests/exercise/exercise.pl $(STEP) "$$DIR"
 
-grade: set-up-tests warm $(BUILD)/oracle ## marks for what was written in DIR, with reasons and pictures
+grade: set-up-tests warm $(BUILD)/oracle ## teach: marks for what was written in DIR, with reasons and pictures
 	@VSM_BUILD=$(BUILD) perl tests/exercise/grade.pl $(STEP) "$$DIR"
 
-stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## the extreme cases, as a table and out/stability/results.csv
+stability: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## maintain: the extreme cases, as a table and out/stability/results.csv
 	@VSM_BUILD=$(BUILD) perl tests/stability/stability.pl
 
-identical: set-up-tests programs $(BUILD)/oracle ## every scene in every step, with and without --keep-all: the same pixels
+identical: set-up-tests programs $(BUILD)/oracle ## maintain: every scene in every step, with and without --keep-all: the same pixels
 	@VSM_BUILD=$(BUILD) VSM_ALL=1 perl tests/run.pl tests/images/all_plan.t
 
-fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stability/fuzz.svg
+fuzz: $(BUILD)/fuzz ## maintain: bits of the variance lost, against the bound: out/stability/fuzz.svg
 	@mkdir -p out/stability
 	@$(BUILD)/fuzz --count 40000 --csv >out/stability/fuzz.csv
 	@for kind in svg png; do gnuplot -e "kind='$$kind'" \
@@ -133,7 +133,7 @@ fuzz: $(BUILD)/fuzz ## bits of the variance lost, against the bound: out/stabili
 	    -e "output='out/stability/fuzz.$$kind'" \
 	    tests/stability/fuzz.gp || exit 1; done
 
-figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## make every committed picture again, and print the READMEs' numbers
+figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## measure: make every committed picture again, and print the READMEs' numbers
 	@for p in $(PROGRAMS); do \
 	    sh tests/report/figures.sh $(BUILD) $$p || exit 1; done
 	@sh tests/report/headline.sh $(BUILD)
@@ -141,10 +141,10 @@ figures: set-up-tests programs $(BUILD)/oracle $(BUILD)/fuzz ## make every commi
 	    room:turn=-100 grazing empty unlit offstage
 
 CODE = $(shell git ls-files '*.c' '*.h' '*.cpp')
-lint: programs $(BUILD)/oracle ## compile with gcc and clang without a warning, check the format
+lint: programs $(BUILD)/oracle ## maintain: compile with gcc and clang without a warning, check the format
 	@sh step1_shadowmap/base/set-up.sh $(DEPS) 'lint' $(LINT_RECOGNISED)
 	@clang-format --dry-run --Werror $(CODE)
 	@sh tests/lint.sh
 
-format: ## lay out the C and C++ files
+format: ## maintain: lay out the C and C++ files
 	@clang-format -i $(CODE)

@@ -53,7 +53,7 @@ RECOGNISED := g++:command:g++ pkg-config:command:pkg-config \
     libpng-dev:module:libpng libopenexr-dev:module:OpenEXR
 
 .PHONY: set-up
-set-up: ## install the packages that are missing (DEPS=no: only name them)
+set-up: ## read: install the packages that are missing (DEPS=no: only name them)
 	@sh $(ROOT)/step1_shadowmap/base/set-up.sh '$(DEPS)' 'the programs' \
 	    $(RECOGNISED)
 

@@ -213,6 +213,18 @@ mkdir $odd;
 command( program(1), qw(--size 16x9 --output), "$odd/p.exr" );
 oracle( 'compare', "$odd/p.exr", "$odd/p.exr", 'max=0' );
 
+# --- make help ---------------------------------------------------------------
+
+# Every goal for people is in one of four groups.
+my $help = make( '-C', root(), 'help' )->{out};
+is( join( ' ', $help =~ /^to (\w+):$/mg ),
+    'read measure teach maintain', 'make help has four groups' );
+my ($goals) = slurp( root() . '/Makefile' ) =~ /^\.PHONY: ((?:.*\\\n)*.*)/m;
+for ( grep { !/^(?:programs|set-up-tests|warm|\\)$/ } split ' ', $goals ) {
+    my @told = $help =~ /^  \Q$_\E +\S/mg;
+    is( @told, 1, "make help tells what $_ is" );
+}
+
 # --- what the guides make ----------------------------------------------------
 
 # Where the READMEs' own commands write, git does not look.
