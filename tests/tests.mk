@@ -38,8 +38,8 @@ $(BUILD)/fuzz: $(STABILITY_OBJECTS) $(STABILITY_SHARED)
 ORACLE_SOURCES := $(wildcard tests/oracle/*.cpp tests/oracle/*/*.cpp)
 ORACLE_OBJECTS := $(ORACLE_SOURCES:%=$(BUILD)/obj/%.o)
 ORACLE_SHARED := $(patsubst %,$(BUILD)/obj/step1_shadowmap/base/%.c.o,\
-    $(addprefix scene/,scene scene_table scene_build mesh) \
-    $(addprefix scenes/,table daylight closed lamps extreme meshes lights change) \
+    $(addprefix scene/,scene scene_build mesh) \
+    $(addprefix scenes/,table create daylight closed lamps extreme meshes lights change) \
     system/die)
 ORACLE_BOUNDS := $(patsubst %,$(BUILD)/obj/tests/stability/%.c.o,\
     bound formulas search windows)

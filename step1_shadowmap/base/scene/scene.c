@@ -1,111 +1,68 @@
 #include "step1_shadowmap/base/scene/scene.h"
 
-#include <stdlib.h> // strtod
-#include <string.h> // memset, strchr, strcmp, strcspn, strncmp
+#include <string.h> // memcpy, memset, strcmp
 
+#include "step1_shadowmap/base/scene/scene_build.h" // scene_add_object
 #include "step1_shadowmap/base/system/die.h"        // die_usage
-#include "step1_shadowmap/base/scene/scene_build.h" // scene_table
 
-// The scene of this number, of both tables; NULL behind the last.
-static const SceneEntry *entry_at(int number)
+// A gate of thin bars: what aliases first in a shadow map.
+static void add_gate(Scene *scene, const Mesh *box)
 {
-    int count = 0;
-    while (scene_table[count].name != NULL) {
-        count++;
+    const double post[3] = {0.035, 1.0, 0.035};
+    for (int i = 0; i < 6; i++) {
+        const double position[3] = {-1.62, 0.5, -0.35 + 0.22 * i};
+        object_set_albedo(scene_add_object(scene, "bar", box, post, position),
+                          0.16f, 0.20f, 0.24f);
     }
-    const SceneEntry *entry =
-        number < count ? &scene_table[number] : &more_scenes[number - count];
-    return entry->name == NULL ? NULL : entry;
+    const double rail[3] = {0.035, 0.05, 1.25};
+    const double place[3] = {-1.62, 0.975, 0.2};
+    object_set_albedo(scene_add_object(scene, "rail", box, rail, place), 0.16f,
+                      0.20f, 0.24f);
 }
 
-static void list_keys(FILE *file, const SceneKey keys[])
+void scene_build_teapot(Scene *scene)
 {
-    for (int i = 0; i < SCENE_MAX_KEYS && keys[i].name; i++) {
-        fprintf(file, "    %s=%g..%g (default %g)  %s\n", keys[i].name,
-                keys[i].minimum, keys[i].maximum, keys[i].value, keys[i].help);
-    }
+    scene_set_default_view(scene);
+    scene_add_floor(scene, scene_add_mesh(scene, mesh_plane()));
+    const Mesh *box = scene_add_mesh(scene, mesh_box());
+
+    const double one[3] = {1.1, 1.1, 1.1};
+    // The pot's bottom is domed: its edge is above its middle by 0.05.
+    const double middle[3] = {0, -0.05, 0};
+    const Mesh *teapot = scene_add_mesh(scene, mesh_teapot(16));
+    object_set_albedo(scene_add_object(scene, "teapot", teapot, one, middle),
+                      0.72f, 0.30f, 0.16f);
+    const double wall[3] = {0.14, 1.0, 2.2};
+    const double behind[3] = {1.75, 0.5, -0.3};
+    object_set_albedo(scene_add_object(scene, "wall", box, wall, behind), 0.52f,
+                      0.56f, 0.60f);
+    add_gate(scene, box);
 }
 
 void scene_list(FILE *file)
 {
-    const SceneEntry *entry;
-    for (int i = 0; (entry = entry_at(i)) != NULL; i++) {
-        fprintf(file, "%s  %s\n", entry->name, entry->help);
-        list_keys(file, entry->keys);
-    }
-    if (more_keys[0].name != NULL) {
-        fprintf(file, "every scene\n");
-        list_keys(file, more_keys);
-    }
-}
-
-static const SceneEntry *find_entry(const char *text)
-{
-    size_t length = strcspn(text, ":");
-    const SceneEntry *entry;
-    for (int i = 0; (entry = entry_at(i)) != NULL; i++) {
-        if (strlen(entry->name) == length &&
-            strncmp(entry->name, text, length) == 0) {
-            return entry;
-        }
-    }
-    die_usage("--scene '%s': there is no such scene; see --list-scenes", text);
-}
-
-// Sets the key that "key=value" names, if it is among these.
-static bool read_key(const SceneKey keys[], const char *text, double values[])
-{
-    size_t length = strcspn(text, "=,");
-    for (int i = 0; i < SCENE_MAX_KEYS && keys[i].name; i++) {
-        if (strlen(keys[i].name) != length ||
-            strncmp(keys[i].name, text, length) != 0) {
-            continue;
-        }
-        const char *number = text + length + (text[length] == '=' ? 1 : 0);
-        char *end = NULL;
-        double value = strtod(number, &end);
-        if (end == number || (*end != ',' && *end != '\0') ||
-            !(value >= keys[i].minimum && value <= keys[i].maximum)) {
-            die_usage("--scene key '%s': allowed are numbers from %g to %g",
-                      text, keys[i].minimum, keys[i].maximum);
-        }
-        values[i] = value;
-        return true;
-    }
-    return false;
-}
-
-static void read_keys(const SceneEntry *entry, const char *text,
-                      double own[SCENE_MAX_KEYS], double more[SCENE_MAX_KEYS])
-{
-    for (int i = 0; i < SCENE_MAX_KEYS; i++) {
-        own[i] = entry->keys[i].value;
-        more[i] = more_keys[i].value;
-    }
-    const char *next = strchr(text, ':');
-    while (next != NULL) {
-        next++;
-        if (!read_key(entry->keys, next, own) &&
-            !read_key(more_keys, next, more)) {
-            die_usage("--scene key '%s': '%s' has no such key; "
-                      "see --list-scenes",
-                      next, entry->name);
-        }
-        next = strchr(next, ',');
+    fprintf(file, "teapot  a teapot on a floor, with a wall and thin bars\n");
+    if (more_scenes_list != NULL) {
+        more_scenes_list(file);
     }
 }
 
 void scene_create(Scene *scene, const char *text, const char *light)
 {
-    double own[SCENE_MAX_KEYS], more[SCENE_MAX_KEYS];
     const float sky[3] = {0.36f, 0.44f, 0.55f};
-    const SceneEntry *entry = find_entry(text);
-    read_keys(entry, text, own, more);
     memset(scene, 0, sizeof *scene);
-    scene->name = entry->name;
     memcpy(scene->background, sky, sizeof sky);
-    entry->build(scene, own);
-    scene_change(scene, more, light);
+    bool known = strcmp(text, "teapot") == 0;
+    if (more_scenes_create != NULL) {
+        known = more_scenes_create(scene, text, light);
+    } else if (known) {
+        scene->name = text;
+        scene_build_teapot(scene);
+    }
+    if (!known) {
+        die_usage("--scene '%s': there is no such scene; see --list-scenes",
+                  text);
+    }
 }
 
 void scene_destroy(Scene *scene)

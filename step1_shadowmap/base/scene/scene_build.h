@@ -1,8 +1,9 @@
-// What the built-in scenes are built with, and the table of them.
+// What the built-in scenes are built with.
 #ifndef BASE_SCENE_BUILD_H
 #define BASE_SCENE_BUILD_H
 
 #include "step1_shadowmap/base/scene/scene.h" // Scene, Object, LightKind, Mesh
+#include "step1_shadowmap/base/system/die.h"  // IF_LINKED
 
 // The scene owns the mesh from here on. Dies if it holds too many.
 const Mesh *scene_add_mesh(Scene *scene, Mesh mesh);
@@ -29,31 +30,14 @@ void scene_set_camera(Scene *scene, const double position[3],
 void scene_set_default_view(Scene *scene);
 
 // Also of scenes that change it.
-void scene_build_teapot(Scene *scene, const double values[]);
+void scene_build_teapot(Scene *scene);
 
-enum { SCENE_MAX_KEYS = 4 };
+// base/scenes has more; each has keys, and every scene has some more.
+IF_LINKED void more_scenes_list(FILE *file);
 
-typedef struct SceneKey {
-    const char *name;
-    double minimum, maximum, value; // the value is the default
-    const char *help;
-} SceneKey;
-
-typedef struct SceneEntry {
-    const char *name; // NULL ends the table
-    const char *help;
-    // Fills a zeroed scene; values are those of the keys, in their order.
-    void (*build)(Scene *scene, const double values[]);
-    SceneKey keys[SCENE_MAX_KEYS];
-} SceneEntry;
-
-// The lesson's, and those of base/scenes.
-extern const SceneEntry scene_table[], more_scenes[];
-
-// base/scenes has these; no_more_scenes.c does without: the keys of every
-// scene, and what they and another kind of light (NULL: its own) change of a
-// scene.
-extern const SceneKey more_keys[SCENE_MAX_KEYS];
-void scene_change(Scene *scene, const double values[], const char *kind);
+// Also the teapot, as its keys and another kind of light change it (see
+// scene_create). False: there is no such scene.
+IF_LINKED bool more_scenes_create(Scene *scene, const char *text,
+                                  const char *light);
 
 #endif

@@ -18,6 +18,30 @@ Mesh mesh_sphere(int segments);
 Object *scene_add_block(Scene *scene, const char *name, const Mesh *box,
                         const double size[3], const double foot[3]);
 
+enum { SCENE_MAX_KEYS = 4 };
+
+typedef struct SceneKey {
+    const char *name;
+    double minimum, maximum, value; // the value is the default
+    const char *help;
+} SceneKey;
+
+typedef struct SceneEntry {
+    const char *name; // NULL ends the table
+    const char *help;
+    // Fills a zeroed scene; values are those of the keys, in their order.
+    void (*build)(Scene *scene, const double values[]);
+    SceneKey keys[SCENE_MAX_KEYS];
+} SceneEntry;
+
+// The first one is the lesson's.
+extern const SceneEntry scene_table[];
+
+// The keys of every scene, and what they and another kind of light (NULL: its
+// own) change of a scene.
+extern const SceneKey more_keys[SCENE_MAX_KEYS];
+void scene_change(Scene *scene, const double values[], const char *kind);
+
 // Once a light has been raised, or has to be of another kind (NULL: its own):
 // a spot or point light shines on what the camera looks at from where it is.
 void scene_change_light(Scene *scene, bool raised, const char *kind);

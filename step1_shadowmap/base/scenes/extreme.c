@@ -65,7 +65,8 @@ void scene_build_enclosed(Scene *scene, const double values[])
 // The camera is where the light is, and sees no shadow.
 void scene_build_headlamp(Scene *scene, const double values[])
 {
-    scene_build_teapot(scene, values);
+    (void)values;
+    scene_build_teapot(scene);
     const Camera *camera = &scene->camera;
     scene_set_local_light(scene, LIGHT_SPOT, camera->position, camera->target,
                           5.5);
@@ -75,7 +76,8 @@ void scene_build_headlamp(Scene *scene, const double values[])
 // Camera and light look straight down, along both of their up vectors.
 void scene_build_overhead(Scene *scene, const double values[])
 {
-    scene_build_teapot(scene, values);
+    (void)values;
+    scene_build_teapot(scene);
     const double eye[3] = {0, 6, 0};
     const double target[3] = {0, 0, 0};
     scene_set_camera(scene, eye, target, 38);

@@ -1,8 +1,14 @@
-// The scenes that no lesson needs.
-#include "step1_shadowmap/base/scene/scene_build.h" // SceneEntry
-#include "step1_shadowmap/base/scenes/build.h"      // scene_build_empty, ...
+// The lesson's scene, and those that no lesson needs.
+#include "step1_shadowmap/base/scenes/build.h" // SceneEntry, ...
 
-const SceneEntry more_scenes[] = {
+static void build_teapot(Scene *scene, const double values[])
+{
+    (void)values;
+    scene_build_teapot(scene);
+}
+
+const SceneEntry scene_table[] = {
+    {"teapot", "see scene_list", build_teapot, {{0}}},
     {"edge",
      "a rectangle above a floor, both perpendicular to the light",
      scene_build_edge,
