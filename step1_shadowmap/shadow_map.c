@@ -1,21 +1,12 @@
 #include "step1_shadowmap/shadow_map.h"
 
 const Option bias_options[] = {
-    {.name = "bias",
-     .kind = OPTION_NUMBER,
-     .offset = offsetof(BiasSettings, constant),
-     .minimum = -1,
-     .maximum = 1,
-     .argument = "X",
-     .help = "constant depth bias, in units of the depth range"},
-    {.name = "slope-bias",
-     .kind = OPTION_NUMBER,
-     .offset = offsetof(BiasSettings, slope),
-     .minimum = -100,
-     .maximum = 100,
-     .argument = "X",
-     .help = "bias by X times the receiver's depth change across half the "
-             "comparison kernel"},
+    {"bias", OPTION_NUMBER, offsetof(BiasSettings, constant), -1, 1, NULL, "X",
+     "constant depth bias, in units of the depth range"},
+    {"slope-bias", OPTION_NUMBER, offsetof(BiasSettings, slope), -100, 100,
+     NULL, "X",
+     "bias by X times the receiver's depth change across half the comparison "
+     "kernel"},
     {0},
 };
 

@@ -3,13 +3,8 @@
 #include <stdio.h> // snprintf
 
 const Option pcf_options[] = {
-    {.name = "kernel",
-     .kind = OPTION_ODD,
-     .offset = offsetof(PcfSettings, kernel),
-     .minimum = 1,
-     .maximum = 255,
-     .argument = "N",
-     .help = "filter width in texels of the map, N x N comparisons"},
+    {"kernel", OPTION_ODD, offsetof(PcfSettings, kernel), 1, 255, NULL, "N",
+     "filter width in texels of the map, N x N comparisons"},
     {0},
 };
 

@@ -6,20 +6,10 @@
 #include "step1_shadowmap/base/system/die.h" // allocate, die_usage
 
 const Option blur_options[] = {
-    {.name = "radius",
-     .kind = OPTION_INTEGER,
-     .offset = offsetof(BlurSettings, radius),
-     .minimum = 0,
-     .maximum = 1024,
-     .argument = "N",
-     .help = "the filter is 2 N + 1 texels wide, of the map it runs on"},
-    {.name = "downsample",
-     .kind = OPTION_INTEGER,
-     .offset = offsetof(BlurSettings, downsample),
-     .minimum = 1,
-     .maximum = 16,
-     .argument = "N",
-     .help = "average N x N texels into one before the blur"},
+    {"radius", OPTION_INTEGER, offsetof(BlurSettings, radius), 0, 1024, NULL,
+     "N", "the filter is 2 N + 1 texels wide, of the map it runs on"},
+    {"downsample", OPTION_INTEGER, offsetof(BlurSettings, downsample), 1, 16,
+     NULL, "N", "average N x N texels into one before the blur"},
     {0},
 };
 

@@ -3,22 +3,13 @@
 #include <stdio.h> // snprintf
 
 const Option chebyshev_options[] = {
-    {.name = "min-variance",
-     .kind = OPTION_NUMBER,
-     .offset = offsetof(ChebyshevSettings, min_variance),
-     .minimum = 0,
-     .maximum = 1,
-     .choices = "auto",
-     .argument = "X",
-     .help = "least variance, in units of the squared depth range; auto: "
-             "add what rounding can hide of it, from format and filter"},
-    {.name = "bleed-reduction",
-     .kind = OPTION_NUMBER,
-     .offset = offsetof(ChebyshevSettings, bleed_reduction),
-     .minimum = 0,
-     .maximum = 0.9999,
-     .argument = "X",
-     .help = "visibility up to X becomes 0, the rest is stretched"},
+    {"min-variance", OPTION_NUMBER, offsetof(ChebyshevSettings, min_variance),
+     0, 1, "auto", "X",
+     "least variance, in units of the squared depth range; auto: "
+     "add what rounding can hide of it, from format and filter"},
+    {"bleed-reduction", OPTION_NUMBER,
+     offsetof(ChebyshevSettings, bleed_reduction), 0, 0.9999, NULL, "X",
+     "visibility up to X becomes 0, the rest is stretched"},
     {0},
 };
 
@@ -45,7 +36,7 @@ GuardNumbers chebyshev_guard(int radius, int factor)
 double chebyshev_spread(const ChebyshevSettings *settings, int radius,
                         int factor)
 {
-    double texels = radius * (radius + 1.0) / 3; // of 2 radius + 1 equal weights
+    double texels = radius * (radius + 1.0) / 3; // 2 radius + 1 equal weights
     return settings->min_variance == OPTION_AUTO ? texels * factor * factor : 0;
 }
 
