@@ -172,20 +172,6 @@ float *gl_read_layer(GLuint texture, int level, int layer, int width,
     return values;
 }
 
-void gl_limit(const Rect *rect)
-{
-    const int *low = rect->low, *high = rect->high;
-    bool empty = rect_is_empty(rect);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(low[0], low[1], empty ? 0 : high[0] - low[0],
-              empty ? 0 : high[1] - low[1]);
-}
-
-void gl_unlimit(void)
-{
-    glDisable(GL_SCISSOR_TEST);
-}
-
 void gl_draw_fullscreen(GLuint empty_vao)
 {
     glBindVertexArray(empty_vao);

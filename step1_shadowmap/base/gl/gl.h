@@ -10,7 +10,6 @@
 #include <stdio.h>  // FILE
 
 #include "step1_shadowmap/base/system/die.h" // IF_LINKED
-#include "step1_shadowmap/base/gl/rect.h"    // Rect
 
 typedef void (*GlFunction)(void);
 typedef GlFunction (*GlLoader)(const char *name);
@@ -127,11 +126,6 @@ float *gl_read(GLuint framebuffer, int attachment, int width, int height,
 // height are the level's.
 float *gl_read_layer(GLuint texture, int level, int layer, int width,
                      int height, int channels);
-
-// Limits everything that is drawn and cleared to a rectangle, until
-// gl_unlimit().
-void gl_limit(const Rect *rect);
-void gl_unlimit(void);
 
 // One triangle that covers the viewport, without any vertex data.
 void gl_draw_fullscreen(GLuint empty_vao);

@@ -7,7 +7,8 @@
 void target_want_all(Target *target)
 {
     for (int layer = 0; layer < target->layers; layer++) {
-        target->layer[layer].wanted = rect_whole(target->width, target->height);
+        target->layer[layer].wanted =
+            (Rect){{0, 0}, {target->width, target->height}};
         target->layer[layer].draw = true;
     }
 }
@@ -137,7 +138,7 @@ GLuint target_texture(Target *target)
 const Rect *target_wanted(Target *target, int layer)
 {
     const Rect *wanted = &target->layer[layer].wanted;
-    if (target->alias || !target->layer[layer].draw || rect_is_empty(wanted)) {
+    if (target->alias || !target->layer[layer].draw) {
         return NULL;
     }
     target_texture(target);
@@ -171,7 +172,9 @@ bool target_begin(Target *target, int layer)
     glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
     draw_all_outputs(target);
     glViewport(0, 0, target->width, target->height);
-    gl_limit(wanted);
+    if (target_limit != NULL) {
+        target_limit(wanted);
+    }
     return true;
 }
 

@@ -30,6 +30,12 @@ typedef struct Touched {
     size_t bytes;
 } Touched;
 
+// Texels of a map from low up to, not including, high: none where high is not
+// above low along both axes.
+typedef struct Rect {
+    int low[2], high[2];
+} Rect;
+
 typedef struct Target Target;
 
 struct Target {
@@ -97,8 +103,8 @@ Target target_alias(Target *of);
 const Rect *target_wanted(Target *target, int layer);
 
 // The same for one that does: binds the layer's framebuffer, with the viewport
-// of the whole layer and limited to the wanted texels (see gl_limit). False:
-// nobody wants this layer.
+// of the whole layer, limited to the wanted texels. False: nobody wants this
+// layer.
 bool target_begin(Target *target, int layer);
 
 // The texture of its first output, undefined where it was not drawn.
@@ -115,6 +121,9 @@ size_t targets_map_bytes(const Targets *targets);
 
 // base/measure counts a draw of these texels.
 IF_LINKED void target_touch(Target *target, const Rect *wanted);
+
+// base/leave_out limits all that is drawn and cleared to them; NULL: no longer.
+IF_LINKED void target_limit(const Rect *wanted);
 
 void targets_destroy(Targets *targets);
 

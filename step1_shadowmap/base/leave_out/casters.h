@@ -4,6 +4,11 @@
 
 #include "step1_shadowmap/base/light/view.h" // Views
 
+static inline bool rect_is_empty(const Rect *rect)
+{
+    return rect->low[0] >= rect->high[0] || rect->low[1] >= rect->high[1];
+}
+
 // The objects that may be in the picture, or all, the nearest first.
 void casters_in_picture(DrawList *list, const Views *views, const Scene *scene,
                         bool all);

@@ -110,7 +110,7 @@ static void look_at_receivers(LeaveOut *left, Frame *frame)
         if (!rect_is_empty(looked_up)) {
             left->lookups = true;
             if (frame->lookups.anywhere) {
-                *looked_up = rect_whole(views->width, views->height);
+                *looked_up = (Rect){{0, 0}, {views->width, views->height}};
             }
         }
     }
@@ -249,7 +249,7 @@ static Rect looked_up(const LeaveOut *left, const Frame *frame,
         return (Rect){{0, 0}, {0, 0}};
     }
     if (target->looked_up == TARGET_EVERYWHERE) {
-        return rect_whole(size[0], size[1]);
+        return (Rect){{0, 0}, {size[0], size[1]}};
     }
     Rect divided = rect_divide(receivers, frame->views.width / target->width);
     return rect_grow(&divided, target->looked_up, target->looked_up, size);
@@ -322,11 +322,24 @@ static bool has_changed(LeaveOut *left, const Frame *frame, int layer)
     return changed;
 }
 
+void target_limit(const Rect *wanted)
+{
+    if (wanted == NULL) {
+        glDisable(GL_SCISSOR_TEST);
+    } else {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(wanted->low[0], wanted->low[1],
+                  wanted->high[0] - wanted->low[0],
+                  wanted->high[1] - wanted->low[1]);
+    }
+}
+
 static void draw_layer(Frame *frame, int layer, bool draw)
 {
     for (int i = 0; i < frame->targets.count; i++) {
         Target *target = frame->targets.list[i];
-        target->layer[layer].draw = draw || target->kind == TARGET_PICTURE;
+        bool wanted = draw && !rect_is_empty(&target->layer[layer].wanted);
+        target->layer[layer].draw = wanted || target->kind == TARGET_PICTURE;
     }
 }
 
@@ -371,7 +384,7 @@ bool leave_out_nothing(Frame *frame)
         for (int i = 0; i < frame->targets.count; i++) {
             Target *target = frame->targets.list[i];
             target->layer[layer].wanted =
-                rect_whole(target->width, target->height);
+                (Rect){{0, 0}, {target->width, target->height}};
             target->layer[layer].draw = target->kind != TARGET_PICTURE;
         }
     }

@@ -2,7 +2,8 @@
 #include <stdio.h>  // printf
 #include <string.h> // strcmp
 
-#include "step1_shadowmap/base/system/die.h" // printed_check
+#include "step1_shadowmap/base/system/die.h"        // printed_check
+#include "step1_shadowmap/base/leave_out/casters.h" // rect_is_empty
 #include "step1_shadowmap/base/leave_out/leave_out.h"
 
 const Option leave_out_list[] = {
@@ -43,6 +44,13 @@ static void print_row(const char *pass, bool kept, Saved saved, const char *why)
 {
     printf("%-22s %-9s %13zu %13zu  %s\n", pass, kept ? "kept" : "left out",
            saved.texels, saved.bytes, why);
+}
+
+static size_t rect_texels(const Rect *rect)
+{
+    return rect_is_empty(rect) ? 0
+                               : (size_t)(rect->high[0] - rect->low[0]) *
+                                     (size_t)(rect->high[1] - rect->low[1]);
 }
 
 static void add(Saved *saved, const Target *target, int layer)

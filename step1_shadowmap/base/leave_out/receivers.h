@@ -3,7 +3,6 @@
 #ifndef BASE_RECEIVERS_H
 #define BASE_RECEIVERS_H
 
-#include "step1_shadowmap/base/gl/rect.h"    // Rect
 #include "step1_shadowmap/base/light/view.h" // Views
 
 // Finds the receivers: the parts of surfaces that are in the picture, of so

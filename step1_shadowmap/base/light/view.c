@@ -61,7 +61,7 @@ void views_fit(Views *views, const Scene *scene, const ViewsSize *size,
     for (int layer = 0; layer < views->layers; layer++) {
         LightView *view = &views->light[layer];
         draw_list_all(&view->seen, scene);
-        view->looked_up = rect_whole(views->width, views->height);
+        view->looked_up = (Rect){{0, 0}, {views->width, views->height}};
     }
 }
 

@@ -5,9 +5,7 @@
 #ifndef BASE_VIEW_H
 #define BASE_VIEW_H
 
-#include <glad/gl.h>
-
-#include "step1_shadowmap/base/gl/rect.h"     // Rect
+#include "step1_shadowmap/base/gl/target.h"   // Rect
 #include "step1_shadowmap/base/scene/scene.h" // DrawList, Scene
 
 enum { VIEW_MAX_LAYERS = 8 }; // splits, which are more than a point's 6

@@ -29,8 +29,9 @@ static void touch(Touched *touched, size_t texels, size_t bytes_for_each)
 
 void target_touch(Target *target, const Rect *wanted)
 {
-    touch(&target->touched, samples_of(target) * rect_texels(wanted),
-          touched_bytes(target));
+    size_t texels = (size_t)(wanted->high[0] - wanted->low[0]) *
+                    (size_t)(wanted->high[1] - wanted->low[1]);
+    touch(&target->touched, samples_of(target) * texels, touched_bytes(target));
 }
 
 Touched targets_touched(Targets *targets)

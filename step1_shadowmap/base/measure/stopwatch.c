@@ -84,7 +84,9 @@ void frame_lap(Frame *frame, const char *name)
                               target->touched.texels > 0);
     }
     Touched touched = targets_touched(&frame->targets);
-    gl_unlimit();
+    if (target_limit != NULL) {
+        target_limit(NULL);
+    }
     if (frame->dump == NULL && (frame->looks_up || picture)) {
         stopwatch_lap(&state, name, touched);
     }

@@ -48,5 +48,7 @@ void frame_filter(const Frame *frame, Program *program, Target *target)
 __attribute__((weak)) void frame_lap(Frame *frame, const char *name)
 {
     (void)frame, (void)name;
-    gl_unlimit();
+    if (target_limit != NULL) {
+        target_limit(NULL);
+    }
 }
