@@ -6,9 +6,8 @@
 #include <stdlib.h> // free
 #include <string.h> // strrchr
 
-#include "step1_shadowmap/base/system/die.h"         // allocate, die
-#include "step1_shadowmap/base/files/file.h"         // file_write
-#include "step1_shadowmap/base/files/image_encode.h" // image_encode_png
+#include "step1_shadowmap/base/system/die.h" // allocate, die
+#include "step1_shadowmap/base/files/file.h" // file_write
 
 bool image_name_is_known(const char *path)
 {

@@ -1,5 +1,5 @@
 // The only C++ file of the programs: it is OpenEXR's language.
-#include "step1_shadowmap/base/files/image_encode.h"
+#include "step1_shadowmap/base/files/image.h"
 
 #include <ImfChannelList.h> // Channel
 #include <ImfFrameBuffer.h> // FrameBuffer, Slice
