@@ -32,11 +32,6 @@ void gl_load(GlLoader loader)
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
-bool gl_has_compute(void)
-{
-    return GLAD_GL_VERSION_4_3;
-}
-
 // A texture that does not fit is refused before the driver tries: it may give
 // addresses without memory behind them, and the process is killed later.
 static void check_memory(GLenum format, int width, int height, int layers)

@@ -62,9 +62,6 @@ struct Program {
 Program *gl_program(Shaders *shaders, const char *constants,
                     const char *const files[]);
 
-// Whether this driver has compute shaders (OpenGL 4.3).
-bool gl_has_compute(void);
-
 // Uses the program from here on, and returns its name for glUniform. Compiles
 // it the first time: an error stops the run with the file and line that it is
 // in.

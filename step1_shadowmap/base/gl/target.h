@@ -75,7 +75,7 @@ struct Target {
     GLuint textures[TARGET_MAX_OUTPUTS];
     GLuint depth_buffer;
     GLuint framebuffers[TARGET_MAX_LAYERS];
-    Touched touched; // since targets_touched
+    Touched touched; // see base/measure
 };
 
 // All targets of a program, each after those that it reads.
@@ -109,15 +109,6 @@ bool target_begin(Target *target, int layer);
 
 // The texture of its first output, undefined where it was not drawn.
 GLuint target_texture(Target *target);
-
-// Bytes of one texel of all outputs, without depth.
-size_t target_texel_bytes(const Target *target);
-
-// What has been drawn since the last call; resets it.
-Touched targets_touched(Targets *targets);
-
-// Bytes of all textures that were made for the light's passes.
-size_t targets_map_bytes(const Targets *targets);
 
 // base/measure counts a draw of these texels.
 IF_LINKED void target_touch(Target *target, const Rect *wanted);

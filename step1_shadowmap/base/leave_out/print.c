@@ -5,6 +5,7 @@
 #include "step1_shadowmap/base/system/die.h"        // printed_check
 #include "step1_shadowmap/base/leave_out/casters.h" // rect_is_empty
 #include "step1_shadowmap/base/leave_out/leave_out.h"
+#include "step1_shadowmap/base/seams/technique.h" // target_texel_bytes
 
 const Option leave_out_list[] = {
     {.name = "plan",

@@ -1,5 +1,6 @@
 // What passes touch, and how much memory they have.
-#include "step1_shadowmap/base/gl/target.h" // target_touch, Touched
+#include "step1_shadowmap/base/measure/stopwatch.h" // targets_touched
+#include "step1_shadowmap/base/seams/technique.h"   // target_texel_bytes
 
 static size_t samples_of(const Target *target)
 {

@@ -17,4 +17,10 @@ typedef struct Stopwatch {
 
 const Stopwatch *measure_clock(void);
 
+// What has been drawn since the last call; resets it.
+Touched targets_touched(Targets *targets);
+
+// Bytes of all textures that were made for the light's passes.
+size_t targets_map_bytes(const Targets *targets);
+
 #endif

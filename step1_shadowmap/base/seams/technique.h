@@ -61,6 +61,15 @@ void target_add_before(Targets *targets, Target *target, const Target *before);
 // The target of a pass that has this name; NULL: there is none.
 Target *targets_find(const Targets *targets, const char *pass);
 
+// Bytes of one texel of all outputs, without depth.
+size_t target_texel_bytes(const Target *target);
+
+// Whether this driver has compute shaders (OpenGL 4.3).
+static inline bool gl_has_compute(void)
+{
+    return GLAD_GL_VERSION_4_3;
+}
+
 // Whatever reads a target of the list reads another one of its size instead, of
 // which it becomes an alias. Its own pass draws nothing any more.
 void target_take_place(Target *target, Target *other);
