@@ -7,7 +7,6 @@
 #include <glad/gl.h>
 #include <stdbool.h>
 #include <stddef.h> // size_t
-#include <stdio.h>  // FILE
 
 #include "step1_shadowmap/base/system/die.h" // IF_LINKED
 
@@ -39,9 +38,10 @@ typedef struct Shaders {
 } Shaders;
 
 // The files that a list of names stands for, NULL at the end, at most
-// PROGRAM_MAX_FILES. What a stage has already comes no second time.
-void gl_find_files(const Shaders *shaders, const char *const names[],
-                   const char *files[PROGRAM_MAX_FILES + 1]);
+// PROGRAM_MAX_FILES; without base/seams the names themselves. What a stage has
+// already comes no second time.
+IF_LINKED void gl_find_files(const Shaders *shaders, const char *const names[],
+                             const char *files[PROGRAM_MAX_FILES + 1]);
 
 struct Program {
     GLuint id; // 0 before the program is used

@@ -150,20 +150,6 @@ static GLuint build(const Program *program, char *message)
     return id;
 }
 
-// Without base/seams a name stands for itself.
-__attribute__((weak)) void
-gl_find_files(const Shaders *shaders, const char *const names[],
-              const char *files[PROGRAM_MAX_FILES + 1])
-{
-    int count = 0;
-    (void)shaders;
-    while (names[count] != NULL && count < PROGRAM_MAX_FILES) {
-        files[count] = names[count];
-        count++;
-    }
-    files[count] = NULL;
-}
-
 Program *gl_program(Shaders *shaders, const char *constants,
                     const char *const files[])
 {
@@ -175,7 +161,12 @@ Program *gl_program(Shaders *shaders, const char *constants,
     shaders->programs = program;
     program->constants = allocate(bytes, 1);
     snprintf(program->constants, bytes, "%s%s", own, shaders->front);
-    gl_find_files(shaders, files, program->files);
+    for (int i = 0; files[i] != NULL && i < PROGRAM_MAX_FILES; i++) {
+        program->files[i] = files[i];
+    }
+    if (gl_find_files != NULL) {
+        gl_find_files(shaders, files, program->files);
+    }
     return program;
 }
 
