@@ -7,7 +7,7 @@
 #include "step1_shadowmap/base/system/die.h" // die_usage
 #include "step1_shadowmap/base/files/file.h" // file_is_directory, file_make_directory
 #include "step1_shadowmap/base/files/image.h" // image_name_is_known
-#include "step1_shadowmap/base/scene/scene.h" // scene_create, scene_list
+#include "step1_shadowmap/base/scene/scene.h" // scene_list
 
 enum { MAX_SIDE = 32768 };
 
@@ -110,11 +110,6 @@ void base_settings_check(const BaseSettings *settings)
         die_usage("--dump keeps one frame, --window draws many: drop --dump "
                   "or --window");
     }
-}
-
-void base_create_scene(const BaseSettings *settings, Scene *scene)
-{
-    scene_create(scene, settings->scene, settings->light);
 }
 
 // Of the default output, which is in one.

@@ -6,7 +6,6 @@
 
 #include "step1_shadowmap/base/system/options.h" // Option
 #include "step1_shadowmap/base/light/view.h"     // ViewsSize
-#include "step1_shadowmap/base/scene/scene.h"    // Scene
 
 // One choice of --show.
 typedef struct ShowMode {
@@ -63,9 +62,6 @@ const ShowMode *base_show_mode(const BaseSettings *settings);
 // unknown ending and what a window cannot do (status 2). To be called after
 // options_parse.
 void base_settings_check(const BaseSettings *settings);
-
-// Builds the scene of --scene.
-void base_create_scene(const BaseSettings *settings, Scene *scene);
 
 // Makes the directories of the default output and of --dump, once everything
 // that could be wrong with the options has been looked at. --dump asks for

@@ -39,7 +39,7 @@ void run_begin(Run *run)
     Frame *frame = &run->frame;
     const BaseSettings *settings = &frame->settings;
     base_settings_check(settings);
-    base_create_scene(settings, &frame->scene);
+    scene_create(&frame->scene, settings->scene, settings->light);
     frame->changes = settings->window || frame->changes;
     run->context = context_create(settings->window, settings->size);
     frame->shaders.directory = settings->shaders;
