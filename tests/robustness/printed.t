@@ -80,9 +80,12 @@ sub printed_files {
     my @names = $run->{out} =~ /^\/\/ ---- (.*) ----$/mg;
     my ( $expected, $begins ) = ( '', 1 );
     for my $name (@names) {
-        $expected .= "#version 330 core\n$constants\n\n" if $begins;
+        $expected .= '// ==== '
+          . ( $name =~ /vert\z/ ? 'vertex' : 'fragment' )
+          . " shader ====\n\n#version 330 core\n$constants\n\n"
+          if $begins;
         $expected .= "// ---- $name ----\n\n" . slurp( root() . "/$name" ) . "\n";
-        $begins = $name =~ /(?:vert|geom|frag)\z/;
+        $begins = $name =~ /(?:vert|frag)\z/;
     }
     is( $run->{status} . $run->{err}, '0', "step @words: --print-shader" );
     is( $run->{out}, $expected, "step @words: every file, as it is" );

@@ -15,6 +15,13 @@ static GLenum stage_from(const char *const files[])
     return shader_stage(*files);
 }
 
+static const char *stage_name(GLenum stage)
+{
+    return stage == GL_VERTEX_SHADER     ? "vertex"
+           : stage == GL_GEOMETRY_SHADER ? "geometry"
+                                         : "fragment";
+}
+
 // As it is compiled, stage by stage: the version, the constants, and each
 // file's name and text.
 static void print(const Program *program)
@@ -27,6 +34,7 @@ static void print(const Program *program)
             die("%s", message);
         }
         if (begins) {
+            printf("// ==== %s shader ====\n\n", stage_name(stage_from(name)));
             printf("%s%s\n\n", shader_version(stage_from(name)),
                    program->constants);
         }

@@ -177,6 +177,17 @@ static void put_constants(Frame *frame)
     gl_put_in_front(&frame->shaders, text);
 }
 
+// Whether the picture reads the lesson's visibility.glsl, and so none of the
+// guard's files: none has taken its place, of whatever technique.
+static bool lesson_stays(const Frame *frame)
+{
+    static const char *const names[] = {
+        "step5_chebyshev/shaders/visibility.glsl", NULL};
+    const char *files[PROGRAM_MAX_FILES + 1];
+    gl_find_files(&frame->shaders, names, files);
+    return strcmp(files[0], names[0]) == 0;
+}
+
 static bool prepare(Frame *frame)
 {
     static const char *const constant[] = {
@@ -193,7 +204,9 @@ static bool prepare(Frame *frame)
     } else if (is_central(frame)) {
         gl_put_instead(&frame->shaders, guarded_visibility[1], central);
     }
-    put_constants(frame);
+    if (!lesson_stays(frame)) {
+        put_constants(frame);
+    }
     return true;
 }
 
