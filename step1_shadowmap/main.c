@@ -5,7 +5,8 @@
 #include "step1_shadowmap/base/run/run.h" // run_next
 #include "step1_shadowmap/shadow_map.h"   // shadow_map_draw
 
-enum { REACH = 1 }; // texels that a comparison reads to each side
+// A comparison reads one texel; one to each side is for the rounding of u, v.
+enum { REACH = 1 };
 
 static struct {
     Run run;
@@ -29,6 +30,8 @@ static void create(Frame *frame)
         "step1_shadowmap/shaders/bias.glsl",
         "step1_shadowmap/shaders/hard.glsl", NULL};
     run_begin(&state.run);
+    // The reach sets the map's border. The rest is for base/leave_out and
+    // --plan, and changes no pixel.
     frame->lookups = bias_lookups(&state.bias, REACH, 1);
     frame->lookups.compares = true;
     run_look(&state.run);
@@ -40,7 +43,8 @@ static void draw(Frame *frame)
 {
     shadow_map_draw(&state.map, frame);
     frame_lap(frame, "depth");
-    bias_apply(&state.bias, picture_begin(&state.picture, frame));
+    GLuint program = picture_begin(&state.picture, frame);
+    bias_apply(&state.bias, program);
     picture_draw(&state.picture, frame);
     frame_lap(frame, "shading");
 }

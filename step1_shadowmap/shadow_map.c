@@ -4,9 +4,7 @@ const Option bias_options[] = {
     {"bias", OPTION_NUMBER, offsetof(BiasSettings, constant), -1, 1, NULL, "X",
      "constant depth bias, in units of the depth range"},
     {"slope-bias", OPTION_NUMBER, offsetof(BiasSettings, slope), -100, 100,
-     NULL, "X",
-     "bias by X times the receiver's depth change across half the comparison "
-     "kernel"},
+     NULL, "X", "bias by X times the depth change across half the kernel"},
     {0},
 };
 
@@ -17,7 +15,6 @@ BiasSettings bias_settings(void)
 
 void bias_apply(const BiasSettings *settings, GLuint program)
 {
-    glUseProgram(program);
     glUniform1f(glGetUniformLocation(program, "bias"),
                 (float)settings->constant);
     glUniform1f(glGetUniformLocation(program, "slope_bias"),

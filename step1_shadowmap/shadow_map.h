@@ -15,11 +15,11 @@ extern const Option bias_options[];
 
 BiasSettings bias_settings(void);
 
-// Sets the uniforms of bias.glsl.
+// Sets the uniforms of bias.glsl in the program that is in use.
 void bias_apply(const BiasSettings *settings, GLuint program);
 
-// The lookups of a picture that compares with biased depths, see there: each
-// reads so many texels to each side, in a square of kernel x kernel.
+// How a picture looks its map up (see Lookups in base/picture/frame.h) that
+// compares with biased depths of kernel x kernel texels.
 Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel);
 
 typedef struct ShadowMap {
@@ -32,9 +32,9 @@ void shadow_map_create(ShadowMap *map, Frame *frame, int reach);
 
 void shadow_map_draw(ShadowMap *map, const Frame *frame);
 
-// Draws the scene, as the light sees it in one layer, into a target, unless
-// nobody wants that layer. What nothing covers is at far depth. The
-// program writes what the target keeps of map_depth().
+// Draws the scene as the light sees it in one layer, if somebody wants that
+// layer. The program writes what a texel keeps of map_depth(); a texel that no
+// surface covers is at far depth.
 void shadow_map_draw_layer(Target *target, Program *program, const Frame *frame,
                            int layer);
 

@@ -25,19 +25,24 @@ static void read_options(int argc, char **argv)
 
 static void create(Frame *frame)
 {
+    char constants[PCF_CONSTANTS_BYTES];
     run_begin(&state.run);
+    // The reach sets the map's border. The rest is for base/leave_out and
+    // --plan, and changes no pixel.
     frame->lookups = pcf_lookups(&state.pcf, &state.bias);
     run_look(&state.run);
     shadow_map_create(&state.map, frame, frame->lookups.reach);
-    picture_create(&state.picture, frame, &state.map.target,
-                   pcf_constants(&state.pcf), pcf_shaders);
+    pcf_constants(&state.pcf, constants);
+    picture_create(&state.picture, frame, &state.map.target, constants,
+                   pcf_shaders);
 }
 
 static void draw(Frame *frame)
 {
     shadow_map_draw(&state.map, frame);
     frame_lap(frame, "depth");
-    bias_apply(&state.bias, picture_begin(&state.picture, frame));
+    GLuint program = picture_begin(&state.picture, frame);
+    bias_apply(&state.bias, program);
     picture_draw(&state.picture, frame);
     frame_lap(frame, "shading");
 }

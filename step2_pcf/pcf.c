@@ -26,9 +26,8 @@ const char *const pcf_shaders[] = {"step1_shadowmap/shaders/depth_slope.glsl",
                                    "step2_pcf/shaders/map_depth.glsl",
                                    "step2_pcf/shaders/pcf.glsl", NULL};
 
-const char *pcf_constants(PcfSettings *settings)
+void pcf_constants(const PcfSettings *settings, char text[PCF_CONSTANTS_BYTES])
 {
-    snprintf(settings->constants, sizeof settings->constants,
-             "const int kernel = %d;", settings->kernel);
-    return settings->constants;
+    snprintf(text, PCF_CONSTANTS_BYTES, "const int kernel = %d;",
+             settings->kernel);
 }

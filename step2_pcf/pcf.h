@@ -6,8 +6,7 @@
 #include "step1_shadowmap/shadow_map.h"          // BiasSettings
 
 typedef struct PcfSettings {
-    int kernel;         // n of n x n taps, odd
-    char constants[32]; // of pcf_constants
+    int kernel; // n of n x n taps, odd
 } PcfSettings;
 
 extern const Option pcf_options[];
@@ -20,9 +19,10 @@ Lookups pcf_lookups(const PcfSettings *settings, const BiasSettings *bias);
 // The shader files that define visibility(); NULL at the end.
 extern const char *const pcf_shaders[];
 
+enum { PCF_CONSTANTS_BYTES = 32 };
+
 // What these files take for a constant: the kernel. A loop whose length is
-// known when it is compiled takes half the time (measured). Valid as long as
-// the settings.
-const char *pcf_constants(PcfSettings *settings);
+// known when it is compiled takes half the time (measured).
+void pcf_constants(const PcfSettings *settings, char text[PCF_CONSTANTS_BYTES]);
 
 #endif

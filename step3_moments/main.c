@@ -30,6 +30,8 @@ static void create(Frame *frame)
         "step3_moments/shaders/lookup_bilinear.glsl",
         "step3_moments/shaders/mean.glsl", NULL};
     run_begin(&state.run);
+    // The reach sets the map's border. The rest is for base/leave_out and
+    // --plan, and changes no pixel.
     frame->lookups = bias_lookups(&state.bias, REACH, 1);
     run_look(&state.run);
     moments_create(&state.moments, frame, REACH);
@@ -41,7 +43,8 @@ static void draw(Frame *frame)
 {
     moments_draw(&state.moments, frame);
     frame_lap(frame, "moments");
-    bias_apply(&state.bias, picture_begin(&state.picture, frame));
+    GLuint program = picture_begin(&state.picture, frame);
+    bias_apply(&state.bias, program);
     picture_draw(&state.picture, frame);
     frame_lap(frame, "shading");
 }

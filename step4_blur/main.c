@@ -7,7 +7,7 @@
 static struct {
     Run run;
     BiasSettings bias;
-    BlurSettings settings;
+    BlurSettings filter;
     Moments moments;
     Blur blur;
     Picture picture;
@@ -16,12 +16,12 @@ static struct {
 static void read_options(int argc, char **argv)
 {
     state.bias = bias_settings();
-    state.settings = blur_settings();
+    state.filter = blur_settings();
     const OptionTable tables[] = {options_table(bias_options, &state.bias),
-                                  options_table(blur_options, &state.settings),
+                                  options_table(blur_options, &state.filter),
                                   {0}};
     run_options(&state.run, argc, argv, 4, "step4_blur", moments_shows, tables);
-    blur_check(&state.settings, &state.run.frame.settings);
+    blur_check(&state.filter, &state.run.frame.settings);
 }
 
 static void create(Frame *frame)
@@ -31,12 +31,14 @@ static void create(Frame *frame)
         "step1_shadowmap/shaders/bias.glsl",
         "step3_moments/shaders/lookup_bilinear.glsl",
         "step3_moments/shaders/mean.glsl", NULL};
-    int reach = blur_reach(&state.settings);
+    int reach = blur_reach(&state.filter);
     run_begin(&state.run);
+    // The reach sets the map's border. The rest is for base/leave_out and
+    // --plan, and changes no pixel: the mean is one of so wide a square.
     frame->lookups = bias_lookups(&state.bias, reach, 2 * reach + 1);
     run_look(&state.run);
     moments_create(&state.moments, frame, 0);
-    blur_create(&state.blur, frame, &state.settings, &state.moments.target);
+    blur_create(&state.blur, frame, &state.filter, &state.moments.target);
     picture_create(&state.picture, frame, &state.blur.result, NULL, visibility);
 }
 
@@ -46,7 +48,8 @@ static void draw(Frame *frame)
     frame_lap(frame, "moments");
     blur_apply(&state.blur, frame);
     frame_lap(frame, "blur");
-    bias_apply(&state.bias, picture_begin(&state.picture, frame));
+    GLuint program = picture_begin(&state.picture, frame);
+    bias_apply(&state.bias, program);
     picture_draw(&state.picture, frame);
     frame_lap(frame, "shading");
 }
@@ -57,7 +60,7 @@ int main(int argc, char **argv)
     read_options(argc, argv);
     create(frame);
     while (run_next(&state.run, &state.picture, "step 4, radius %d",
-                    state.settings.radius)) {
+                    state.filter.radius)) {
         draw(frame);
     }
     run_end(&state.run);

@@ -8,8 +8,8 @@
 
 static struct {
     Run run;
-    BlurSettings blur_settings;
-    ChebyshevSettings settings;
+    BlurSettings filter;
+    ChebyshevSettings bound;
     Moments moments;
     Blur blur;
     Picture picture;
@@ -17,15 +17,15 @@ static struct {
 
 static void read_options(int argc, char **argv)
 {
-    state.blur_settings = blur_settings();
-    state.settings = chebyshev_settings();
+    state.filter = blur_settings();
+    state.bound = chebyshev_settings();
     const OptionTable tables[] = {
-        options_table(blur_options, &state.blur_settings),
-        options_table(chebyshev_options, &state.settings),
+        options_table(blur_options, &state.filter),
+        options_table(chebyshev_options, &state.bound),
         {0}};
     run_options(&state.run, argc, argv, 5, "step5_chebyshev", moments_shows,
                 tables);
-    blur_check(&state.blur_settings, &state.run.frame.settings);
+    blur_check(&state.filter, &state.run.frame.settings);
 }
 
 static void create(Frame *frame)
@@ -35,17 +35,19 @@ static void create(Frame *frame)
         "step5_chebyshev/shaders/chebyshev.glsl",
         "step5_chebyshev/shaders/reduction_linear.glsl",
         "step5_chebyshev/shaders/visibility.glsl", NULL};
-    const BlurSettings *filter = &state.blur_settings;
+    const BlurSettings *filter = &state.filter;
     int radius = filter->radius, factor = filter->downsample;
     char constants[CHEBYSHEV_CONSTANTS_BYTES];
     run_begin(&state.run);
-    frame->lookups = (Lookups){
-        .reach = blur_reach(filter),
-        .spread = chebyshev_spread(&state.settings, radius, factor)};
+    // The reach sets the map's border. The rest is for base/leave_out and
+    // --plan, and changes no pixel.
+    frame->lookups =
+        (Lookups){.reach = blur_reach(filter),
+                  .spread = chebyshev_spread(&state.bound, radius, factor)};
     run_look(&state.run);
     moments_create(&state.moments, frame, 0);
     blur_create(&state.blur, frame, filter, &state.moments.target);
-    chebyshev_constants(&state.settings, radius, factor, constants);
+    chebyshev_constants(&state.bound, radius, factor, constants);
     picture_create(&state.picture, frame, &state.blur.result, constants,
                    visibility);
 }
@@ -67,7 +69,7 @@ int main(int argc, char **argv)
     read_options(argc, argv);
     create(frame);
     while (run_next(&state.run, &state.picture, "step 5, radius %d",
-                    state.blur_settings.radius)) {
+                    state.filter.radius)) {
         draw(frame);
     }
     run_end(&state.run);

@@ -2,7 +2,7 @@
 // needs: map_from_relative, depth_gradient
 // offers: map_gradient, depth_slope
 
-// How u (axis 0) or v (axis 1), that is a quotient, changes with the position.
+// Gradient of u = x / w (axis 0) or v = y / w (axis 1): u' = (x' - u w') / w.
 vec3 map_gradient(vec4 map_position, int layer, int axis)
 {
     mat4 rows = transpose(map_from_relative[layer]);
@@ -10,11 +10,11 @@ vec3 map_gradient(vec4 map_position, int layer, int axis)
     return (rows[axis].xyz - quotient * rows[3].xyz) / map_position.w;
 }
 
-// dt/du and dt/dv on the plane through the position, across the normal. A step
-// in that plane that keeps v is across the normal and across v's gradient; what
-// t and u gain by it are in the ratio dt/du. `ray` points along the light's
-// ray, where u and v do not change. That ray meets the plane at an angle whose
-// sine is held at 0.02, else the ratio has no limit.
+// dt/du and dt/dv on the plane through the position, with the normal n. A step
+// s = v' x n stays in it and keeps v. So dt/du = (t' . s) / (u' . s), where
+// u' . s = n . (u' x v'). The vector u' x v', `ray`, is along the light's ray;
+// n . ray is its length times the sine of its angle to the plane. We hold
+// that sine at 0.02, else the slope has no limit.
 vec2 depth_slope(vec3 relative_position, vec3 normal, int layer)
 {
     vec4 map_position = map_from_relative[layer] * vec4(relative_position, 1.0);

@@ -1,5 +1,4 @@
-// Where the light is, and what a map keeps of the depth t that it and the
-// picture compare: one formula for both. linear_depth.glsl has it.
+// Where the light is, and the depth t: one formula for the map and the picture.
 // needs: light_depth
 // offers: towards_light, map_depth, map_from_relative, light_position
 
@@ -15,8 +14,7 @@ vec3 towards_light(vec3 relative_position)
 // t of a position in a layer.
 float light_depth(vec3 relative_position, int layer);
 
-// What the map keeps of it: what is before the near plane, and casts from
-// there, is at 0; what is behind the far plane is as far as nothing.
+// What the map keeps of t: 0 before the near plane, 1 behind the far plane.
 float map_depth(vec3 relative_position, int layer)
 {
     return clamp(light_depth(relative_position, layer), 0.0, 1.0);

@@ -6,8 +6,7 @@ uniform mat4 clip_from_relative;
 
 layout(location = 0) in vec3 object_position;
 layout(location = 1) in vec3 object_normal;
-
-// One for each object.
+// These are the same for all vertices of an object:
 layout(location = 2) in mat4x3 relative_from_object;  // relative to the camera
 layout(location = 6) in mat3 normal_from_object;      // to the world's axes
 layout(location = 9) in vec3 object_albedo;           // linear RGB

@@ -1,5 +1,5 @@
-// Reading single texels of a shadow map. Its texture has no filter, and a border
-// at far depth. (texelFetch() would do, but Mesa's software driver takes twice
+// Reads single texels of a shadow map. Its texture has no filter, and far depth
+// as its border. (texelFetch() would do, but Mesa's software driver takes twice
 // as long for it.)
 // needs: nothing
 // offers: occluder_depth, shadow_map

@@ -7,7 +7,7 @@
 float visibility(Receiver receiver)
 {
     ivec2 size = textureSize(shadow_map, 0).xy;
-    ivec2 middle = min(ivec2(receiver.uv * vec2(size)), size - 1);
+    ivec2 middle = min(ivec2(receiver.uv * vec2(size)), size - 1);  // for u = 1
     float bias = comparison_bias(receiver, kernel, vec2(size));
     int radius = kernel / 2;
     float lit = 0.0;

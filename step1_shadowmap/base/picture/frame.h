@@ -13,20 +13,23 @@ enum { TECHNIQUES_MAX = 24 };
 // How the picture uses what it looks up; from this base/leave_out derives what
 // cannot change a pixel. All zero: nothing is known.
 typedef struct Lookups {
-    int reach;     // texels of the map that one lookup reads to each side
-    bool anywhere; // of a layer that it reads at all
+    // The most texels of the map that one lookup reads to each side, with one
+    // for the rounding of u and v.
+    int reach;
+    bool anywhere; // it reads any texel of a layer that it reads at all
     // It compares the receiver, moved towards the light by these (see
-    // bias.glsl), with each depth by itself: what is behind all receivers says
+    // bias.glsl), with each depth by itself: a depth behind all receivers says
     // "lit", as the empty map does.
     bool compares;
     double bias, slope_bias;
-    // It compares the receiver with depths, or with means of them about its own
-    // place, in a square of kernel x kernel texels, in which rounding changes t
-    // by no more than this. 0: with others.
+    // It compares the receiver with depths, or with a mean of depths, that lie
+    // in a square of kernel x kernel texels around it, and rounding changes t
+    // there by no more than this. 0: it compares with others.
     int kernel;
     double rounding;
-    // It bounds the light by the variance of depths with weights that have this
-    // variance about the receiver's place, in square texels. 0: by another.
+    // It bounds the light by the variance of depths, and the places of these
+    // depths have this variance around the receiver's, in square texels. 0: it
+    // does something else.
     double spread;
 } Lookups;
 

@@ -106,10 +106,9 @@ static double kernel_weight(int radius, int offset)
     return weight;
 }
 
-void kernels_weights(const Frame *frame, const int sides[2], float weights[])
+void kernels_weights(const int sides[2], float weights[])
 {
     double sum = 0;
-    (void)frame;
     for (int i = -sides[0]; i <= sides[1]; i++) {
         sum += kernel_weight(sides[0], i);
     }
@@ -175,11 +174,11 @@ static bool runs(const Frame *frame)
            radius_of(frame) > FRAGMENTS_RADIUS;
 }
 
-static double variance_of(const Frame *frame, const int sides[2])
+static double variance_of(const int sides[2])
 {
     float weights[KERNELS_MAX_WIDTH];
     double mean = 0, square = 0;
-    kernels_weights(frame, sides, weights);
+    kernels_weights(sides, weights);
     for (int i = -sides[0]; i <= sides[1]; i++) {
         mean += (double)weights[i + sides[0]] * i;
         square += (double)weights[i + sides[0]] * i * i;
@@ -198,7 +197,7 @@ static bool prepare(Frame *frame)
         return false;
     }
     for (int i = 0; i < state.count; i++) {
-        variance += variance_of(frame, state.filters[i].sides);
+        variance += variance_of(state.filters[i].sides);
     }
     if (frame->lookups.spread > 0) {
         frame->lookups.spread = *texel * *texel * variance;
@@ -215,7 +214,7 @@ static Program *fragments_program(Frame *frame, const int sides[2], int axis)
         NULL};
     float weights[KERNELS_MAX_WIDTH] = {0};
     int radius = sides[0] > sides[1] ? sides[0] : sides[1];
-    kernels_weights(frame, sides, &weights[radius - sides[0]]);
+    kernels_weights(sides, &weights[radius - sides[0]]);
     char *constants = blur_constants(radius, weights, axis);
     Program *program = gl_program(&frame->shaders, constants, files);
     free(constants);

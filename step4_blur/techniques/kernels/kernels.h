@@ -22,6 +22,6 @@ int kernels_filters(const Frame *frame,
 // up to rounding: those of a box or of one of several boxes (all equal),
 // gaussian (standard deviation radius / 3, cut at the radius) or binomial (row
 // 2 radius of Pascal's triangle; for radius 3 it is 1 6 15 20 15 6 1, over 64).
-void kernels_weights(const Frame *frame, const int sides[2], float weights[]);
+void kernels_weights(const int sides[2], float weights[]);
 
 #endif

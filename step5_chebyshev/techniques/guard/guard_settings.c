@@ -79,11 +79,10 @@ static bool is_plain(const Frame *frame)
 // One filter of the blur. Its weights are rounded, each by a part of itself: so
 // is their sum. Running boxes round no more often: a term meets as many
 // additions, and the division in place of the weight.
-static void add_filter(GuardChain *chain, const Frame *frame,
-                       const int sides[2])
+static void add_filter(GuardChain *chain, const int sides[2])
 {
     float weights[KERNELS_MAX_WIDTH];
-    kernels_weights(frame, sides, weights);
+    kernels_weights(sides, weights);
     guard_add(chain, (GuardPass){.taps = sides[0] + 1 + sides[1],
                                  .heaviest = (double)weights[sides[0]],
                                  .defect = 0x1p-24,
@@ -96,7 +95,7 @@ static void add_blur(GuardChain *chain, const Frame *frame)
     KernelSides filters[KERNELS_MAX_FILTERS];
     int count = kernels_filters(frame, filters);
     for (int i = 0; i < 2 * count; i++) {
-        add_filter(chain, frame, filters[i % count].sides);
+        add_filter(chain, filters[i % count].sides);
     }
 }
 
