@@ -324,7 +324,7 @@ our $NOT_MEASURED = [
     [ '--light', 'stage has a spot light and room a point light of their own' ],
     [
         '--depth projected, --slope-term, --slope-from, --bias, --slope-bias',
-        'step 2\'s bias.md and step 3\'s techniques say what they cost'
+        'step 1\'s bias.md and step 3\'s techniques say what they cost'
     ],
     [
         '--min-variance, --variance-bias, --penumbra-scale',

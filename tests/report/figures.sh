@@ -45,6 +45,9 @@ technique() {
 drawn=$program
 case $program in
 step1_shadowmap)
+    panel acne --bias 0 --slope-bias 0
+    panel panning --scene thin --bias 0.02 --slope-bias 0
+    join "$program/bias.png" acne panning
     panel spot --scene stage
     panel layers --scene room --show layer
     technique lights spot layers
@@ -53,11 +56,6 @@ step1_shadowmap)
     technique splits one four
     ;;
 step2_pcf)
-    drawn=step1_shadowmap
-    panel acne --bias 0 --slope-bias 0
-    panel panning --scene thin --bias 0.02 --slope-bias 0
-    drawn=$program
-    join "$program/bias.png" acne panning
     panel grid --map-size 128 --kernel 3
     panel bilinear --map-size 128 --kernel 3 --bilinear
     technique bilinear grid bilinear
