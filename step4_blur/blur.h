@@ -22,8 +22,7 @@ int blur_reach(const BlurSettings *settings);
 
 // What blur.frag takes for constants: the radius, 2 radius + 1 weights that add
 // up to 1, and the axis, 0 for u and 1 for v. A loop whose length is known when
-// it is compiled gets unrolled, in half the time (measured). The caller frees
-// it.
+// it is compiled takes half the time to draw (measured). The caller frees it.
 char *blur_constants(int radius, const float weights[], int axis);
 
 typedef struct Blur {

@@ -13,8 +13,9 @@ extern const Option chebyshev_options[];
 
 ChebyshevSettings chebyshev_settings(void);
 
-// --min-variance auto: the most that rounding can have changed the variance and
-// the mean, each a part of a moment and a constant.
+// The guard is what we add against rounding, with --min-variance auto: the most
+// that rounding can have changed the variance and the mean. Each is a part of a
+// moment, and a constant.
 typedef struct GuardNumbers {
     float variance[2]; // the part of M2
     float mean[2];     // the part of M1
@@ -25,7 +26,8 @@ typedef struct GuardNumbers {
 GuardNumbers chebyshev_guard(int radius, int factor);
 
 // The variance of the weights of such a box filter, in square texels of the
-// full map, if the guard is the closed form; else 0: see Lookups.
+// full map, if the guard is that of chebyshev_guard(); else 0. It is for
+// Lookups.spread in base/picture/frame.h.
 double chebyshev_spread(const ChebyshevSettings *settings, int radius,
                         int factor);
 

@@ -1,5 +1,6 @@
-// Light bleeds where the bound is loose; what is left of it below A is cut off
-// and the rest stretched. Lauritzen, GPU Gems 3, chapter 8.
+// Light bleeds where the bound is loose. So visibility up to a constant A,
+// --bleed-reduction, becomes 0, and the rest is stretched to [0, 1]. Lauritzen,
+// GPU Gems 3, chapter 8.
 // needs: from chebyshev.c:
 //     const float bleed_reduction;  A, in [0, 1)
 // offers: reduce_bleeding

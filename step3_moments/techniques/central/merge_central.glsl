@@ -17,9 +17,10 @@ float variance_of(vec2 moments)
     return moments.y;
 }
 
-// Of 1 - part and part of them, d apart: the variance is the mean of theirs and
-// part (1 - part) d^2. The mean is taken from the larger part, so that a small
-// one that is far away adds no rounding of its size.
+// Merges two texels with weights 1 - part and part, whose means are d apart: the
+// variance is the weighted mean of theirs plus part (1 - part) d^2. The mean is
+// taken from the larger part, so that a small one that is far away adds no
+// rounding of its size.
 vec2 merge_two(vec2 one, vec2 other, float part)
 {
     float rest = 1.0 - part;
@@ -29,8 +30,8 @@ vec2 merge_two(vec2 one, vec2 other, float part)
                           part * rest * apart * apart);
 }
 
-// The mean and the variance of many texels, of weights w, means m, variances v
-// that add up to 1, about any depth c:
+// The mean and the variance of many texels, with weights w that add up to 1,
+// means m and variances v, relative to any depth c:
 //     mean = c + s,  s = sum w (m - c)
 //     variance = sum w (v + (m - c)^2) - s^2
 // With c the mean of largest weight the last term is never much larger than
@@ -42,6 +43,7 @@ struct Merge {
     float square;  // sum w (v + (m - c)^2)
 };
 
+// Begins with no texel, relative to the mean of the one of largest weight.
 Merge merge_about(vec2 heaviest)
 {
     return Merge(heaviest.x, 0.0, 0.0);
@@ -62,7 +64,7 @@ vec2 merge_end(Merge merge, float weights)
     return vec2(merge.about + shift, max(variance, 0.0));
 }
 
-// What has been added so far, to be added to others about the same depth.
+// What has been added so far, to be added to others relative to the same depth.
 vec2 merge_sums(Merge merge)
 {
     return vec2(merge.shift, merge.square);

@@ -1,4 +1,4 @@
-// In place of show_variance.glsl, whatever a texel holds.
+// In place of show_variance.glsl, for raw and central moments alike.
 // needs: Receiver, variance_of, moments_at, scale_color
 // offers: show
 

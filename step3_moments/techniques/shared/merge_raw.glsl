@@ -17,7 +17,7 @@ float variance_of(vec2 moments)
     return moments.y - moments.x * moments.x;
 }
 
-// Of 1 - part and part of them.
+// Merges two texels with weights 1 - part and part.
 vec2 merge_two(vec2 one, vec2 other, float part)
 {
     return mix(one, other, part);

@@ -12,8 +12,8 @@ typedef struct KernelSides {
 } KernelSides;
 
 // How many there are with the frame's options, and which: none at radius 0;
-// one, the radius to both sides; of boxes three. These are as alike as can be,
-// and hold 2 radius + 3 texels together, so that all three reach as far as the
+// else one, the radius to both sides; of --blur boxes three, and two at radius
+// 1. These are as alike as can be and reach, one after the other, as far as the
 // radius.
 int kernels_filters(const Frame *frame,
                     KernelSides filters[KERNELS_MAX_FILTERS]);

@@ -16,10 +16,10 @@ Program *running_box_program(Shaders *shaders, const int sides[2])
     return gl_program(shaders, constants, files);
 }
 
-// The first block around which a box has its middle at `low` or behind. The
-// middles of one block's boxes are as many texels as it is long, and the first
-// of the map is the first one's: so no block is for boxes outside, and the same
-// boxes are added up in the same order wherever `low` is.
+// The start of the first block that has a box whose middle is at `low` or
+// behind. Block k holds the boxes whose middles are k * width ...
+// (k + 1) * width - 1, so each box is added up in the same order wherever `low`
+// is.
 static int first_start(int low, const int sides[2])
 {
     int width = sides[0] + 1 + sides[1];

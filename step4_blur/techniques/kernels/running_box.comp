@@ -6,7 +6,8 @@
 // the first texel of exactly one block, `start`: so it is some last texels of
 // the block before it and some first ones of the block that begins there. Sums
 // from start downwards and upwards, each one addition from the next, make all
-// the boxes around it; every sum is about that texel, which is in all of them.
+// the boxes around it. All of them hold that texel, and merge_about() lets each
+// sum add depths minus its depth.
 // (van Herk, A fast algorithm for local minimum and maximum filters on
 // rectangular and octagonal kernels, 1992, has these blocks for minima.)
 // needs: far_moments, Merge, merge_about, merge_sums, merge_add,
@@ -47,7 +48,7 @@ vec2 line_texel(int along)
     return inside(along) ? imageLoad(map, place(along)).rg : far_moments;
 }
 
-// Keeps, for the box that begins i before start, the sum of all up to start.
+// Keeps, for the box that begins i before start, the sum of all before start.
 void sum_before(int start, vec2 first)
 {
     Merge sum = merge_about(first);

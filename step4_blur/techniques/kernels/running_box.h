@@ -5,15 +5,15 @@
 
 #include "step1_shadowmap/base/gl/target.h" // Target
 
-// For a box of so many texels before and after the one in the middle. Made of
-// the moments' own way to merge them: no number is rounded more often than
-// where fragments add up the whole box.
+// For a box of so many texels before and after the one in the middle. It merges
+// texels by the functions of merge_raw.glsl or merge_central.glsl, and rounds no
+// number more often than blur.frag would.
 Program *running_box_program(Shaders *shaders, const int sides[2]);
 
-// Fills the wanted texels of the target, an array texture of 32-bit floats, and
-// up to a box more to each side along the axis, with the means of what it reads
-// over a box along one axis (0: u, 1: v). What is filled beside the wanted
-// texels may be of texels that nothing has written.
+// Blurs along one axis (0: u, 1: v): fills each wanted texel of the target, an
+// array texture of 32-bit floats, with the mean of the box of texels around it
+// in the map that the target reads. Along the axis it also fills up to a box
+// more to each side; there the means may be of texels that nobody has drawn.
 void running_box_apply(Program *program, Target *target, int axis,
                        const int sides[2]);
 
