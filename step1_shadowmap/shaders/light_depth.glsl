@@ -2,7 +2,7 @@
 // needs: light_depth
 // offers: towards_light, map_depth, map_from_relative, light_position
 
-uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
+uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w): base/light/view.h
 uniform vec4 light_position;  // relative, 1; or towards a parallel light, 0
 
 // Its length is the distance of a spot or point light, 1 for a parallel one.

@@ -14,7 +14,7 @@ typedef struct LightFrame {
 void bound_casters(LightFrame *frame, const Scene *scene,
                    const double origin[3]);
 
-// A directional light's view, of all that casts.
+// A parallel light's view, of all that casts.
 void fit_directional(Views *views, const Scene *scene, const ViewsSize *size);
 
 #endif

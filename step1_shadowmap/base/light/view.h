@@ -55,7 +55,7 @@ typedef void ViewsFit(Views *views, const Scene *scene, const ViewsSize *size);
 struct ViewsSize {
     int picture[2]; // pixels
     int map[2];     // texels of a layer
-    ViewsFit *fit;  // NULL: a directional light's one view
+    ViewsFit *fit;  // NULL: a parallel light's one view
 };
 
 // Fits the views to the scene. Everything is drawn into each and looked up.

@@ -38,7 +38,7 @@ typedef struct BaseSettings {
     bool print_shader; // the picture's program, in place of drawing
     bool window;
     const char *context;
-    ViewsFit *fit; // of a light that is not directional, or has many views
+    ViewsFit *fit; // of a light that is not parallel, or has many views
     bool prints; // the run is for what it prints on stdout: it writes a picture
                  // only where --output names one
 } BaseSettings;

@@ -22,13 +22,13 @@ typedef struct Camera {
 typedef enum LightKind { LIGHT_DIRECTIONAL, LIGHT_SPOT, LIGHT_POINT } LightKind;
 
 // The depth of a point p in the light's map is a length in world units: for a
-// directional (parallel) light dot(direction, p - anchor), that is from the
+// parallel (directional) light dot(direction, p - anchor), that is from the
 // plane through the anchor; for a spot and a point light the distance to it.
 typedef struct Light {
     LightKind kind;
     double direction[3]; // world space, unit length, the way the light travels;
                          // the axis of a spot's cone
-    double anchor[3];    // world space, where depth 0 is; directional
+    double anchor[3];    // world space, where depth 0 is; parallel
     double position[3];  // world space; spot and point
     double cone;         // from a spot's axis to its edge, radians
     double reference;    // distance where a spot's or point's radiance holds;

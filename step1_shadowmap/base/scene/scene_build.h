@@ -19,7 +19,7 @@ Object *scene_add_floor(Scene *scene, const Mesh *plane);
 // Linear RGB.
 void object_set_albedo(Object *object, float red, float green, float blue);
 
-// A directional light that travels along x, y, z (of any length).
+// A parallel light that travels along x, y, z (of any length).
 void scene_set_light(Scene *scene, double x, double y, double z);
 
 // The whole vertical field of view is in degrees.

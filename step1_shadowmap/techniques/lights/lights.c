@@ -8,7 +8,7 @@
 
 static struct {
     const char *kind;   // or NULL: the scene's own
-    ViewsFit *parallel; // of another technique, for a directional light
+    ViewsFit *parallel; // of another technique, for a parallel light
 } settings;
 
 static const Option options[] = {

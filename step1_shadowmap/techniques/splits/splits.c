@@ -9,7 +9,7 @@
 #include "step1_shadowmap/base/system/die.h" // die_usage
 
 static struct {
-    int count; // views of a directional light
+    int count; // views of a parallel light
 } settings = {1};
 
 static const Option options[] = {
@@ -18,9 +18,8 @@ static const Option options[] = {
      .minimum = 1,
      .maximum = VIEW_MAX_LAYERS,
      .argument = "N",
-     .help =
-         "parts of the view with a map each, of a directional light; 1: one "
-         "map, of everything that casts"},
+     .help = "parts of the view with a map each, of a parallel light; 1: one "
+             "map, of everything that casts"},
     {0},
 };
 
@@ -179,7 +178,7 @@ static bool prepare(Frame *frame)
         return false;
     }
     if (kind != LIGHT_DIRECTIONAL) {
-        die_usage("--splits %d are of a directional light, and this one is a "
+        die_usage("--splits %d are of a parallel light, and this one is a "
                   "%s light: drop --splits, or say --light directional",
                   settings.count, light_kind_name(kind));
     }

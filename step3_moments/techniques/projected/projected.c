@@ -11,7 +11,7 @@ static const Option options[] = {
      .kind = OPTION_CHOICE,
      .choices = "linear,projected",
      .help = "the depth of a spot or point light: its distance, or z / w of "
-             "the view; the same for a directional light"},
+             "the view; the same for a parallel light"},
     {0},
 };
 

@@ -2,7 +2,7 @@
 // needs: hand_on
 // offers: gl_Position
 
-uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w), see view.h
+uniform mat4 map_from_relative[8];  // to (u w, v w, z w, w): base/light/view.h
 uniform int layer;
 
 layout(location = 0) in vec4 object_position;  // its last number is 1

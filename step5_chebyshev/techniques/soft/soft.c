@@ -33,7 +33,7 @@ static const Option options[] = {
      .maximum = 1e6,
      .argument = "X",
      .help = "with --soft: the light's diameter, in world units; of a "
-             "directional one the tangent of the angle it is seen under"},
+             "parallel one the tangent of the angle it is seen under"},
     {.name = "penumbra-scale",
      .kind = OPTION_NUMBER,
      .offset = offsetof(struct Settings, penumbra_scale),
