@@ -205,7 +205,7 @@ my %mutants = (
     ],
     'a kernel compiled wider than was asked for' => [
         'step2', 'step2_pcf/pcf.c',
-        '%d;", settings->kernel', '%d;", settings->kernel + 2'
+        ' settings->kernel);', ' settings->kernel + 2);'
     ],
     'the blur reads between texels' => [
         'step4', 'step1_shadowmap/base/picture/frame.c',

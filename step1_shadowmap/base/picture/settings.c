@@ -24,9 +24,8 @@ const Option base_options[] = {
      "the picture: .png (8-bit sRGB) or .exr (linear float); where something "
      "else is asked for, none unless this names one"},
     {"show", OPTION_TEXT, offsetof(BaseSettings, show), 0, 0, NULL, "WHAT",
-     "shaded, visibility (1 lit, 0 in shadow), depth, and what the step and "
-     "its techniques add: layer, plan (how many lookups a pixel needed), "
-     "mean, variance"},
+     "shaded, visibility (1 lit, 0 in shadow), depth, or what the step and its "
+     "techniques add: any other word lists them"},
     {"dump", OPTION_TEXT, offsetof(BaseSettings, dump), 0, 0, NULL, "DIR",
      "write every intermediate map there, as float EXR"},
     {"shaders", OPTION_TEXT, offsetof(BaseSettings, shaders), 0, 0, NULL, "DIR",
