@@ -48,5 +48,6 @@ for file in "$@"; do
     cp --parents "$file" "${file%%/*}/Makefile" "$folder"
 done
 printf 'ROOT := .\ninclude %s/Makefile\n' "$program" >"$folder/Makefile"
+echo '# build it and draw with it:'
 printf 'make -C %s\n%s --output mine.png\n' "$(quoted "${folder%/}")" \
     "$(quoted "${folder%/}/build/$program")"
