@@ -205,7 +205,7 @@ my %mutants = (
     ],
     'a kernel compiled wider than was asked for' => [
         'step2', 'step2_pcf/pcf.c',
-        ' settings->kernel);', ' settings->kernel + 2);'
+        '"const int kernel = %d;"', '"const int kernel = %d + 2;"'
     ],
     'the blur reads between texels' => [
         'step4', 'step1_shadowmap/base/picture/frame.c',

@@ -11,7 +11,7 @@ of_steps( 1, 2 );
 
 sub bias_is {
     my ( $what, $step, $options, @shares ) = @_;
-    return if !chosen($step);
+    return if !is_chosen($step);
     note("step $step: $what");
     my @small = qw(--size 320x180 --map-size 256);
     oracle( 'bias', dump_run( $step, @small, @$options ), @shares );

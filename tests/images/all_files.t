@@ -12,7 +12,7 @@ of_steps( 1, 5 );
 my $folder = tempdir( CLEANUP => 1 );
 my @small  = qw(--size 95x54 --map-size 64);
 
-for my $step ( grep { chosen($_) } 1, 5 ) {
+for my $step ( grep { is_chosen($_) } 1, 5 ) {
     for my $name ( 'a.png', 'a.exr' ) {
         my $run = run( $step, @small, '--output', "$folder/$name" );
         is( $run->{status}, 0, "step $step: $name" ) or diag( $run->{err} );

@@ -12,7 +12,7 @@ my %more  = ( 5 => [qw(--bleed-reduction 0)] );
 
 sub check_all {
     my ( $step, @arguments ) = @_;
-    return if !chosen($step);
+    return if !is_chosen($step);
     my $dump = dump_run( $step, @small, @{ $more{$step} // [] }, @arguments );
     note("step $step @arguments");
     oracle( $_, $dump ) for qw(files stage matrix rays shading);
@@ -35,7 +35,7 @@ check_all( 5, qw(--scene room --radius 8 --downsample 2) );
 check_all( 5, qw(--scene stage --blur gaussian --map-size 180x300) );
 check_all( 5, qw(--scene room --sat) );
 oracle( 'stage', dump_run( 5, @small, @$_ ) )
-  for grep { chosen(5) } [qw(--scene room --mips)],
+  for grep { is_chosen(5) } [qw(--scene room --mips)],
   [qw(--scene stage --mips --anisotropy 4)];
 check_all( 1, '--scene', 'room:offset=1000,scale=0.01' );
 check_all( 1, '--scene', 'stage:elevation=70' );

@@ -16,7 +16,7 @@ my @files = qw(picture image visibility receiver position normal);
 # One test: the pictures of a run and of the same with --keep-all.
 sub same_pixels {
     my ( $step, @options ) = @_;
-    return if !chosen($step);
+    return if !is_chosen($step);
     my $with    = dump_run( $step, @small, @options );
     my $without = dump_run( $step, @small, @options, '--keep-all' );
     my @differ =
@@ -66,7 +66,7 @@ for (
   )
 {
     my ( $step, $pass, $decision, @options ) = @$_;
-    next if !chosen($step);
+    next if !is_chosen($step);
     my $run = run_warm( $step, @small, '--plan', '--output',
         tempdir( CLEANUP => 1 ) . '/a.png', @options );
     like( $run->{out}, qr/^\Q$pass\E +$decision +\d+ +\d+  \S/m,

@@ -43,7 +43,7 @@ sub everywhere {
 # the variance of seven rows is 4 * 0.1205^2, less 0.001 for what is cut off.
 my $dark = 0.0052**2 / 0.057;
 
-for my $step ( grep { chosen($_) } 5, 1, 2, 3, 4 ) {
+for my $step ( grep { is_chosen($_) } 5, 1, 2, 3, 4 ) {
     my $most = $step == 5 ? $dark : 0;
     my @bare = $step == 5 ? qw(--bleed-reduction 0) : ();
     everywhere( $step, 1, $most, @bare, '--scene', $_ )
@@ -52,7 +52,7 @@ for my $step ( grep { chosen($_) } 5, 1, 2, 3, 4 ) {
 }
 
 # Hard visibility away from outlines.
-for my $scene ( grep { chosen(1) } qw(thin fence crowd) ) {
+for my $scene ( grep { is_chosen(1) } qw(thin fence crowd) ) {
     oracle( 'rays', dump_run( 1, @small, '--scene', $scene ) );
 }
 

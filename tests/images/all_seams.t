@@ -44,7 +44,7 @@ for my $options (
   )
 {
     my ( $step, @options ) = @$options;
-    next if !chosen($step);
+    next if !is_chosen($step);
     my $p99  = percentiles( dump_run( $step, @room, @options ) );
     my $rest = delete $p99->{rest};
     ok( keys %$p99 >= 10, "step $step @options: ten edges are in the picture" );
@@ -57,7 +57,7 @@ for my $options (
 # Each level as the formula says, up to the last that stays within the border;
 # the wide blur leaves fewer of them, and coarse pixels ask for more. Taps along
 # a pixel stay within the border too.
-for my $options ( grep { chosen(5) } [], [qw(--radius 6)],
+for my $options ( grep { is_chosen(5) } [], [qw(--radius 6)],
     [qw(--anisotropy 16)] )
 {
     my @coarse = qw(--size 80x45 --map-size 512 --mips --bleed-reduction 0);

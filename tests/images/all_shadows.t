@@ -21,7 +21,7 @@ for my $words (
   )
 {
     my ( $step, @options ) = @$words;
-    next if !chosen($step);
+    next if !is_chosen($step);
     my $dump = dump_run( $step, @off, @options );
     note("step $step @options");
     oracle( $_, $dump ) for qw(files stage shading);
@@ -32,7 +32,7 @@ for my $words (
 # Nothing casts, or nothing faces the light: the same with shadows.
 for my $words ( [ 1, 'empty' ], [ 2, 'empty' ], [ 5, 'unlit' ] ) {
     my ( $step, $scene ) = @$words;
-    next if !chosen($step);
+    next if !is_chosen($step);
     same_files(
         "step $step, scene $scene: no shadow to leave out",
         (

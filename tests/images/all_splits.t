@@ -14,7 +14,7 @@ my %more   = ( 5 => [qw(--bleed-reduction 0)] );
 
 sub check_all {
     my ( $step, @arguments ) = @_;
-    return if !chosen($step);
+    return if !is_chosen($step);
     my $dump = dump_run( $step, @arguments, @{ $more{$step} // [] } );
     note("step $step @arguments");
     oracle( $_, $dump ) for qw(files stage matrix rays shading);
@@ -28,7 +28,7 @@ check_all( 2, @avenue, qw(--splits 2 --map-size 300x180) );
 check_all( 1, @small, qw(--splits 3) );
 check_all( 5, @avenue, qw(--sat) );
 oracle( 'stage', dump_run( 5, @avenue, @$_ ) )
-  for grep { chosen(5) } [qw(--mips)], [qw(--mips --anisotropy 4)];
+  for grep { is_chosen(5) } [qw(--mips)], [qw(--mips --anisotropy 4)];
 check_all( 5, @avenue, '--scene', 'avenue:offset=1000,scale=0.01,walk=20' );
 
 # The views of a run: texel size, depth range, and where the middle of the map
@@ -129,7 +129,7 @@ sub error_of {
 }
 
 # Four maps of the view are at least twice as right as one of all that casts.
-for my $step ( grep { chosen($_) } 2, 5 ) {
+for my $step ( grep { is_chosen($_) } 2, 5 ) {
     my $one  = error_of( $step, qw(--splits 1) );
     my $four = error_of( $step, qw(--splits 4) );
     ok( $one >= 2 * $four, "step $step: RMSE $one, with 4 splits $four" );

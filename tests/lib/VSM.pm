@@ -27,7 +27,7 @@ use Failing qw(is_about made);
 
 our @EXPORT = qw(root program_name program command run run_warm dump_run
   oracle ask_oracle oracle_errors slurp spew everything_below matching png_size
-  stops of_steps chosen);
+  stops of_steps is_chosen);
 
 # Made absolute at once: a test may change its working directory.
 my $ROOT    = abs_path( dirname(__FILE__) . '/../..' );
@@ -318,14 +318,14 @@ sub stops(&$$$) {
 }
 
 # Whether a step is to be tested.
-sub chosen {
+sub is_chosen {
     my ($step) = @_;
     return !$ENV{VSM_STEP} || $ENV{VSM_STEP} == $step;
 }
 
 # A test file of several steps: skipped if it has nothing of the chosen one.
 sub of_steps {
-    plan( skip_all => 'nothing of this step' ) if !grep { chosen($_) } @_;
+    plan( skip_all => 'nothing of this step' ) if !grep { is_chosen($_) } @_;
     return;
 }
 

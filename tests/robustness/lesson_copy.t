@@ -17,7 +17,7 @@ delete @ENV{qw(CFLAGS CXXFLAGS LDFLAGS)};
 sub make { return command( '/usr/bin/env', 'make', @_ ) }
 
 # Lines of C and GLSL that a copy has at most.
-my %MOST = ( 1 => 5200, 2 => 5250, 3 => 5290, 4 => 5520, 5 => 5670 );
+my %MOST = ( 1 => 5200, 2 => 5260, 3 => 5300, 4 => 5530, 5 => 5690 );
 
 # What no lesson knows.
 my $STRANGE = qr{/techniques/|/base/(?:leave_out|seams|scenes|measure)/};
