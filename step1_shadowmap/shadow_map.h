@@ -18,8 +18,9 @@ BiasSettings bias_settings(void);
 // Sets the uniforms of bias.glsl in the program that is in use.
 void bias_apply(const BiasSettings *settings, GLuint program);
 
-// How a picture looks its map up (see Lookups in base/picture/frame.h) that
-// compares with biased depths of kernel x kernel texels.
+// How a picture looks its map up that compares with biased depths (see Lookups
+// in base/picture/frame.h): it reads up to `reach` texels to each side, one of
+// them for the rounding of u and v, and compares kernel x kernel of them.
 Lookups bias_lookups(const BiasSettings *settings, int reach, int kernel);
 
 typedef struct ShadowMap {

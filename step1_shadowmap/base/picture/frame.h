@@ -13,9 +13,7 @@ enum { TECHNIQUES_MAX = 24 };
 // How the picture uses what it looks up; from this base/leave_out derives what
 // cannot change a pixel. All zero: nothing is known.
 typedef struct Lookups {
-    // The most texels of the map that one lookup reads to each side, with one
-    // for the rounding of u and v.
-    int reach;
+    int reach;     // texels that a lookup reads to each side, one for rounding
     bool anywhere; // it reads any texel of a layer that it reads at all
     // It compares the receiver, moved towards the light by these (see
     // bias.glsl), with each depth by itself: a depth behind all receivers says
@@ -27,9 +25,8 @@ typedef struct Lookups {
     // there by no more than this. 0: it compares with others.
     int kernel;
     double rounding;
-    // It bounds the light by the variance of depths, and the places of these
-    // depths have this variance around the receiver's, in square texels. 0: it
-    // does something else.
+    // It bounds the light by the variance of depths, whose places have this
+    // variance around the receiver's, in square texels. 0: it does not.
     double spread;
 } Lookups;
 

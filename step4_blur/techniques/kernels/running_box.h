@@ -6,8 +6,8 @@
 #include "step1_shadowmap/base/gl/target.h" // Target
 
 // For a box of so many texels before and after the one in the middle. It merges
-// texels by the functions of merge_raw.glsl or merge_central.glsl, and rounds no
-// number more often than blur.frag would.
+// texels by the functions of merge_raw.glsl or merge_central.glsl, and rounds
+// no number more often than blur.frag would.
 Program *running_box_program(Shaders *shaders, const int sides[2]);
 
 // Blurs along one axis (0: u, 1: v): fills each wanted texel of the target, an
