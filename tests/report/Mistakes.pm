@@ -16,7 +16,7 @@ our %MISTAKES = (
 
     # --- the oracle's table of errors ---
     'an error of the wrong sign' => [
-        'errors',
+        'step5_errors',
         $ERRORS,
         'value.error(pixel.receiver.visibility) : 0',
         '-value.error(pixel.receiver.visibility) : 0'
@@ -24,22 +24,22 @@ our %MISTAKES = (
     'an RMSE without its root' =>
       [ 'errors', $ERRORS, 'std::sqrt(squares / count)', 'squares / count' ],
     'an RMSE of all pixels, counted or not' => [
-        'errors', $ERRORS,
+        'step5_errors', $ERRORS,
         'std::sqrt(squares / count)',
         'std::sqrt(squares / double(comparison.kinds.size()))'
     ],
     'the 98th percentile' => [
-        'errors',                        $ERRORS,
+        'step5_errors',                        $ERRORS,
         'long(std::ceil(0.99 * count))', 'long(std::ceil(0.98 * count))'
     ],
     'a share over 2/255' =>
       [ 'errors', $ERRORS, 'error > 1.0 / 255', 'error > 2.0 / 255' ],
     'a mean without signs' => [
-        'errors',                                    $ERRORS,
+        'step5_errors',                                    $ERRORS,
         'sum += double(comparison.error.values[i])', 'sum += error'
     ],
     'silhouettes among the others' => [
-        'errors',                                $ERRORS,
+        'step5_errors',                                $ERRORS,
         'return pixel.grazing || value.apart ?', 'return value.apart ?'
     ],
     'each link of the chain from light truth' => [
