@@ -22,7 +22,7 @@ our %MISTAKES = (
         '-value.error(pixel.receiver.visibility) : 0'
     ],
     'an RMSE without its root' =>
-      [ 'errors', $ERRORS, 'std::sqrt(squares / count)', 'squares / count' ],
+      [ 'step5_errors', $ERRORS, 'std::sqrt(squares / count)', 'squares / count' ],
     'an RMSE of all pixels, counted or not' => [
         'step5_errors', $ERRORS,
         'std::sqrt(squares / count)',
@@ -33,7 +33,7 @@ our %MISTAKES = (
         'long(std::ceil(0.99 * count))', 'long(std::ceil(0.98 * count))'
     ],
     'a share over 2/255' =>
-      [ 'errors', $ERRORS, 'error > 1.0 / 255', 'error > 2.0 / 255' ],
+      [ 'step5_errors', $ERRORS, 'error > 1.0 / 255', 'error > 2.0 / 255' ],
     'a mean without signs' => [
         'step5_errors',                                    $ERRORS,
         'sum += double(comparison.error.values[i])', 'sum += error'
@@ -43,7 +43,7 @@ our %MISTAKES = (
         'return pixel.grazing || value.apart ?', 'return value.apart ?'
     ],
     'each link of the chain from light truth' => [
-        'chain',                            $ERRORS,
+        'step5_chain',                            $ERRORS,
         'link(kinds, images[i - 1].values', 'link(kinds, images[0].values'
     ],
 
