@@ -5,7 +5,7 @@ use warnings;
 use Test::More;
 use VSM;
 
-of_steps( 1 .. 5 );
+of_steps(5);
 
 my @small = qw(--size 320x180 --map-size 256);
 my @bare  = ( @small, qw(--bleed-reduction 0) );

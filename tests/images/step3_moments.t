@@ -68,7 +68,8 @@ for my $options (
   )
 {
     my ( $step, @words ) = @$options;
-    oracle( 'stage', dump_run( $step, @small, '--slope-term', @words ) );
+    oracle( 'stage', dump_run( $step, @small, '--slope-term', @words ) )
+      if is_chosen($step);
 }
 
 # What it is for: between the texels of a slope that is lit up, the map has too
