@@ -936,7 +936,7 @@ my %mutants = (
         ' || strlen(text) != length', ''
     ],
     'shaders where nobody looks for them' => [
-        'robustness/bad_input', 'step1_shadowmap/base/safety/shaders.c',
+        'robustness/bad_input', 'step1_shadowmap/base/files/shaders.c',
         'strncmp(entry->d_name, "step", 4) == 0', 'entry->d_name[0] != 0'
     ],
     'a bias may push receivers behind what is left out' => [

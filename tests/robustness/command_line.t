@@ -31,6 +31,7 @@ my @WRONG = (
 
     [ 5, [qw(--map-size 4)], qr/--radius 3.* 0 to 1/, 'too small a map' ],
     [ 4, [qw(--downsample 2 --radius 128)], qr/--radius/, 'too wide a blur' ],
+    [ 1, [qw(--scene broken:vertex=2 --show mean)], qr/--show/, 'a word' ],
     [ 4, [qw(--map-size 64x66 --downsample 4)],
         qr/--downsample/, 'a factor that divides one side only' ],
     [ 2, [qw(--pattern poisson --bilinear)],

@@ -28,6 +28,10 @@ bool file_is_directory(const char *path);
 // false where there is none.
 bool tree_find(char folder[FILE_NAME_BYTES]);
 
+// Refuses (status 2) a folder for --shaders that is not there or is not laid
+// out as the tree. NULL is none.
+void file_check_shaders(const char *folder);
+
 #ifdef __cplusplus
 }
 #endif

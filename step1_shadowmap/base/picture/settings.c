@@ -98,9 +98,8 @@ void base_settings_check(const BaseSettings *settings)
         printed_check();
         exit(0);
     }
-    if (safety_check_shaders != NULL) {
-        safety_check_shaders(settings->shaders);
-    }
+    base_show_mode(settings); // refuses a wrong one
+    file_check_shaders(settings->shaders);
     if (!image_name_is_known(settings->output)) {
         die_usage("--output '%s': the name has to end in .png or .exr",
                   settings->output);

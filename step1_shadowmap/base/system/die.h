@@ -38,10 +38,6 @@ void printed_check(void);
 // ends in one line too.
 IF_LINKED void safety_prepare(void);
 
-// Refuses (status 2) a folder of shaders, if it is not NULL, that is none or is
-// not laid out as the tree.
-IF_LINKED void safety_check_shaders(const char *folder);
-
 // Dies if so many bytes are too many, before they are allocated: what has no
 // memory behind it is often given all the same, and the process is killed when
 // it uses it. `format` says what they are for.

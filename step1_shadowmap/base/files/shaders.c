@@ -2,7 +2,7 @@
 #include <dirent.h> // opendir, readdir
 #include <string.h> // strncmp
 
-#include "step1_shadowmap/base/files/file.h" // file_is_directory
+#include "step1_shadowmap/base/files/file.h" // file_check_shaders
 #include "step1_shadowmap/base/system/die.h" // die_usage
 
 // Whether a folder is laid out as the tree: it holds a step's folder.
@@ -20,7 +20,7 @@ static bool tree_is_like(const char *folder)
     return found;
 }
 
-void safety_check_shaders(const char *folder)
+void file_check_shaders(const char *folder)
 {
     if (folder != NULL && !file_is_directory(folder)) {
         die_usage("--shaders '%s': there is no such directory", folder);
