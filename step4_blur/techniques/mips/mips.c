@@ -94,27 +94,23 @@ static const char *const *lookup_files(void)
         "step4_blur/techniques/mips/mip_levels.glsl",
         "step4_blur/techniques/mips/lookup_trilinear.glsl",
         NULL};
-    static const char *const anisotropic[] = {
-        map_footprint_steps,
-        map_footprint_file,
-        "step1_shadowmap/techniques/shared/ellipse.glsl",
-        "step3_moments/techniques/shared/merge_raw.glsl",
-        "step3_moments/techniques/shared/between_raw.glsl",
-        "step4_blur/techniques/mips/mip_levels.glsl",
-        "step4_blur/techniques/mips/lookup_anisotropic.glsl",
-        NULL};
     static const char *const hardware[] = {
         map_footprint_steps, map_footprint_file,
         "step4_blur/techniques/mips/lookup_hardware.glsl", NULL};
-    return uses_hardware()           ? hardware
-           : settings.anisotropy > 1 ? anisotropic
-                                     : trilinear;
+    return uses_hardware() ? hardware : trilinear;
 }
 
 static bool prepare(Frame *frame)
 {
+    static const char *const anisotropic[] = {
+        "step4_blur/techniques/mips/lookup_anisotropic.glsl", NULL};
     if (!settings.asked) {
         return false;
+    }
+    if (settings.anisotropy > 1) {
+        gl_put_instead(&frame->shaders,
+                       "step4_blur/techniques/mips/lookup_trilinear.glsl",
+                       anisotropic);
     }
     gl_put_instead(&frame->shaders,
                    "step3_moments/shaders/lookup_bilinear.glsl",
