@@ -44,6 +44,9 @@ bool options_on(const OptionTable tables[], const char *flag);
 bool options_is(const OptionTable tables[], const char *name,
                 const char *choice);
 
+// The value of an integer option that this program has.
+int options_integer(const OptionTable tables[], const char *name);
+
 // From here on other files (NULL at the end, static) stand in place of one, in
 // every list that names it: so a technique takes the place of a lesson's
 // shader. They may name that file too, and others in whose place some stand. If

@@ -26,3 +26,9 @@ bool options_is(const OptionTable tables[], const char *name,
     const char *const *value = options_value(tables, name);
     return value != NULL && strcmp(*value, choice) == 0;
 }
+
+int options_integer(const OptionTable tables[], const char *name)
+{
+    const int *value = options_value(tables, name);
+    return *value;
+}

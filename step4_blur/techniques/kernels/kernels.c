@@ -58,8 +58,7 @@ static bool is_boxes(void)
 
 static int radius_of(const Frame *frame)
 {
-    const int *radius = options_value(frame->options, "radius");
-    return *radius;
+    return options_integer(frame->options, "radius");
 }
 
 // A box of an even width has its middle half a texel from a texel's: two of

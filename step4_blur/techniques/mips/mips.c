@@ -52,16 +52,10 @@ static bool uses_hardware(void)
     return strcmp(settings.sampler, "hardware") == 0;
 }
 
-static int integer(const Frame *frame, const char *option)
-{
-    const int *value = options_value(frame->options, option);
-    return *value;
-}
-
 static void check(Frame *frame)
 {
     const int *size = frame->settings.map_size;
-    int factor = integer(frame, "downsample");
+    int factor = options_integer(frame->options, "downsample");
     if (options_given(frame->options, "anisotropy") && !settings.asked) {
         die_usage("--anisotropy %d needs --mips: add --mips or drop "
                   "--anisotropy",
@@ -138,9 +132,10 @@ static double free_texels(const Frame *frame)
 {
     const Views *views = &frame->views;
     bool point = views->light_position[3] != 0 && views->layers > 1;
-    return point ? views->border / integer(frame, "downsample") -
-                       integer(frame, "radius")
-                 : 1e9;
+    return point
+               ? views->border / options_integer(frame->options, "downsample") -
+                     options_integer(frame->options, "radius")
+               : 1e9;
 }
 
 // The coarsest level that stays within these texels. In texels of the finest,
@@ -191,7 +186,8 @@ static Target *create_level0(Frame *frame, Target *map)
         "step1_shadowmap/base/picture/shaders/fullscreen.vert",
         "step4_blur/shaders/map_texel.glsl",
         "step4_blur/shaders/downsample.frag", NULL};
-    if (integer(frame, "radius") > 0 || integer(frame, "downsample") > 1) {
+    if (options_integer(frame->options, "radius") > 0 ||
+        options_integer(frame->options, "downsample") > 1) {
         return map;
     }
     state.copy = gl_program(&frame->shaders, "const int factor = 1;", copy);

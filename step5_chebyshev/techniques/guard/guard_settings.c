@@ -22,12 +22,6 @@ const char *const guarded_visibility[] = {
     "step5_chebyshev/techniques/guard/bias_none.glsl",
     "step5_chebyshev/techniques/guard/visibility_guarded.glsl", NULL};
 
-static int integer(const Frame *frame, const char *option)
-{
-    const int *value = options_value(frame->options, option);
-    return *value;
-}
-
 static bool is_half(const Frame *frame)
 {
     return options_is(frame->options, "format", "rg16f");
@@ -72,8 +66,9 @@ static bool is_plain(const Frame *frame)
 {
     const OptionTable *options = frame->options;
     return !is_central(frame) && !is_half(frame) &&
-           integer(frame, "msaa") == 1 && !options_on(options, "mips") &&
-           !options_on(options, "sat") && !options_is(options, "blur", "boxes");
+           options_integer(frame->options, "msaa") == 1 &&
+           !options_on(options, "mips") && !options_on(options, "sat") &&
+           !options_is(options, "blur", "boxes");
 }
 
 // One filter of the blur. Its weights are rounded, each by a part of itself: so
@@ -103,12 +98,12 @@ static void add_blur(GuardChain *chain, const Frame *frame)
 // levels, then the taps along the pixel or over the penumbra.
 static void add_levels(GuardChain *chain, const Frame *frame)
 {
-    int factor = integer(frame, "downsample");
+    int factor = options_integer(frame->options, "downsample");
     const int size[2] = {frame->settings.map_size[0] / factor,
                          frame->settings.map_size[1] / factor};
     int lookups = options_on(frame->options, "soft")
                       ? GUARDED_SOFT_TAPS
-                      : integer(frame, "anisotropy");
+                      : options_integer(frame->options, "anisotropy");
     for (int level = 1; level < mips_count(size); level++) {
         guard_add(chain, (GuardPass){
                              .taps = 16, .heaviest = 9.0 / 64, .stored = true});
@@ -124,8 +119,8 @@ static void add_levels(GuardChain *chain, const Frame *frame)
 static ChainNumbers numbers_of_chain(const Frame *frame)
 {
     GuardChain chain = {.central = is_central(frame)};
-    int samples = integer(frame, "msaa");
-    int factor = integer(frame, "downsample");
+    int samples = options_integer(frame->options, "msaa");
+    int factor = options_integer(frame->options, "downsample");
     if (is_half(frame)) {
         // Raw moments are left to the driver, which may cut them off.
         chain.store_roundoff = chain.central ? 0x1p-11 : 0x1p-10;
@@ -138,7 +133,7 @@ static ChainNumbers numbers_of_chain(const Frame *frame)
         guard_add_box(&chain, factor * factor);
     }
     if (options_on(frame->options, "sat")) {
-        int width = 2 * integer(frame, "radius") + 1;
+        int width = 2 * options_integer(frame->options, "radius") + 1;
         chain.table_error = 0.5 / sat_steps(width) + 24 * 0x1p-24;
         return guard_numbers(&chain);
     }
@@ -157,7 +152,8 @@ static ChainNumbers find_numbers(const Frame *frame)
         return numbers_of_chain(frame);
     }
     GuardNumbers plain =
-        chebyshev_guard(integer(frame, "radius"), integer(frame, "downsample"));
+        chebyshev_guard(options_integer(frame->options, "radius"),
+                        options_integer(frame->options, "downsample"));
     return (ChainNumbers){.variance = {plain.variance[0], plain.variance[1]},
                           .mean = {plain.mean[0], plain.mean[1]}};
 }

@@ -50,16 +50,10 @@ static const Option options[] = {
     {0},
 };
 
-static int integer(const Frame *frame, const char *option)
-{
-    const int *value = options_value(frame->options, option);
-    return *value;
-}
-
 static void check_size(const Frame *frame)
 {
     const int *size = frame->settings.map_size;
-    int factor = integer(frame, "downsample");
+    int factor = options_integer(frame->options, "downsample");
     for (int axis = 0; axis < 2; axis++) {
         if (size[axis] % factor == 0 && size[axis] / factor % 2 != 0) {
             die_usage("--soft looks up mip-maps, and no map of %dx%d texels "
@@ -91,18 +85,19 @@ static void check_soft(const Frame *frame)
     if (options_given(all, "anisotropy")) {
         die_usage("--soft averages a disc, not the pixel's footprint: drop "
                   "--soft or --anisotropy %d",
-                  integer(frame, "anisotropy"));
+                  options_integer(frame->options, "anisotropy"));
     }
 }
 
 static void check_hybrid(const Frame *frame)
 {
     const OptionTable *all = frame->options;
-    bool blurs =
-        !options_is(all, "blur", "none") && integer(frame, "radius") > 0;
-    const char *filter = blurs ? "--blur and --radius"
-                         : integer(frame, "downsample") > 1 ? "--downsample"
-                         : integer(frame, "msaa") > 1       ? "--msaa"
+    bool blurs = !options_is(all, "blur", "none") &&
+                 options_integer(frame->options, "radius") > 0;
+    const char *filter =
+        blurs ? "--blur and --radius"
+        : options_integer(frame->options, "downsample") > 1 ? "--downsample"
+        : options_integer(frame->options, "msaa") > 1       ? "--msaa"
                                                             : NULL;
     if (filter != NULL) {
         die_usage("--hybrid compares depths, and a filtered map has none: drop "
@@ -197,7 +192,7 @@ static int find_reach(const Frame *frame)
     const ViewsSize size = base_views_size(&frame->settings);
     int side = size.map[size.map[0] < size.map[1] ? 0 : 1];
     int blur = frame->lookups.reach;
-    int low = LEAST_DISC * integer(frame, "downsample");
+    int low = LEAST_DISC * options_integer(frame->options, "downsample");
     int high = side / 8 > low ? side / 8 : low;
     while (low < high) {
         Views views;
